@@ -1,0 +1,45 @@
+#pragma once
+#include <concepts>
+#include <variant>
+
+#include "base/vec3.h"
+#include "brdf/lambert.h"
+#include "brdf/wu.h"
+
+namespace lrcs {
+
+// What every model offers. wi, wr: unit, from the surface to the transmitter and to the receiver; n: unit normal.
+//   f_cos_cos(wi, wr, n)      value: f_r cos_i cos_r [1/sr], in [0, largest()] everywhere; 0 where either cosine is not
+//                             positive. On a scalar template: double, long double, dual numbers.
+//   f_cos_cos_retro(cosine)   the same at wi = wr: the monostatic case.
+//   for_pair(wi, wr)          the same as a function of the normal, for many normals: k(n) == f_cos_cos(wi, wr, n).
+//   largest()                 [1/sr] a bound of f_cos_cos, finite.
+//   is_reciprocal             f_r(wi, wr) == f_r(wr, wi).
+template <class M>
+concept BrdfModel = requires(const M model, const Vec3 w, double cosine) {
+  { model.f_cos_cos(w, w, w) } -> std::same_as<double>;
+  { model.f_cos_cos_retro(cosine) } -> std::same_as<double>;
+  { model.for_pair(w, w)(w) } -> std::same_as<double>;
+  { model.largest() } -> std::same_as<double>;
+  { M::is_reciprocal } -> std::convertible_to<bool>;
+};
+
+// The closed list of models. Visit it once per batch of facets.
+// A new model: its header, its place here, its forms in brdf/brdf_form.cpp; readers, writers and law tests follow.
+using Brdf = std::variant<Lambert, Wu>;
+
+template <class... Models>
+constexpr bool all_are_models(const std::variant<Models...>* /*list*/) {
+  return (BrdfModel<Models> && ...);
+}
+static_assert(all_are_models(static_cast<const Brdf*>(nullptr)));
+
+// The true BRDF [1/sr]; 0 where either direction is not above the surface. May exceed largest(): it is divided by the
+// cosines of both directions.
+[[nodiscard]] double f_r(const Brdf& brdf, const Vec3& wi, const Vec3& wr, const Vec3& n);
+
+// The same from angles [rad]: theta_i and theta_r from the normal, phi between the azimuths.
+// phi = 0 is retro-reflection, pi the specular side, whatever convention the material's numbers were made in.
+[[nodiscard]] double f_r_angles(const Brdf& brdf, double theta_i, double theta_r, double phi);
+
+}  // namespace lrcs

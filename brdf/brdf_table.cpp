@@ -1,0 +1,129 @@
+#include "brdf/brdf_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "base/length.h"
+#include "brdf/brdf_form.h"
+#include "brdf/library.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double most_rows = 100000.0;
+constexpr double albedo_accuracy = 1e-4;  // relative: three digits are shown
+
+double shadowing_of(const Brdf& brdf, double theta_i, double theta_r) {
+  const Vec3 wi(std::sin(theta_i), 0.0, std::cos(theta_i));
+  const Vec3 wr(std::sin(theta_r), 0.0, std::cos(theta_r));
+  const Vec3 n = Vec3::UnitZ();
+  return std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { model.shadowing(wi, wr, n); })
+          return model.shadowing(wi, wr, n);
+        else
+          return 1.0;
+      },
+      brdf);
+}
+
+void require_domain(const std::vector<double>& theta_i_deg, double step_deg, double largest_deg) {
+  const auto is_angle = [](double deg) { return deg >= 0.0 && deg < 90.0; };
+  if (theta_i_deg.empty() || !std::all_of(theta_i_deg.begin(), theta_i_deg.end(), is_angle))
+    throw std::domain_error("expected angles of incidence in [0, 90) deg");
+  if (!is_angle(largest_deg)) throw std::domain_error("expected a largest theta_r in [0, 90) deg");
+  const double rows = (2.0 * largest_deg / step_deg + 1.0) * static_cast<double>(theta_i_deg.size());
+  if (!(step_deg > 0.0) || !(rows <= most_rows))
+    throw std::domain_error(fmt::format("expected a step > 0 deg that gives at most {} rows", most_rows));
+}
+
+std::string header(const Material& material, const std::vector<double>& theta_i_deg) {
+  std::string text = fmt::format("# material: {}: {}\n", material.name, description_of(material.brdf));
+  if (!material.source.empty()) text += fmt::format("# source: {}\n", material.source);
+  if (material.wavelength > 0.0) text += fmt::format("# wavelength: {}\n", text_of_length(material.wavelength, "um"));
+  text += "# azimuth_of_specular: 180\n# value: brdf\n";
+  for (const double deg : theta_i_deg) {
+    const Estimate a = albedo(material.brdf, deg * degree);
+    text += fmt::format("# albedo at theta_i = {} deg: {:.7g} (error below {:.1g})\n", deg, a.value, a.bound);
+  }
+  for (const std::string& warning : brdf_warnings(material.brdf)) text += fmt::format("# warning: {}\n", warning);
+  return text;
+}
+
+std::optional<std::string> albedo_warning(const Brdf& brdf) {
+  std::optional<int> first;
+  double at_89 = 0.0;
+  for (int deg = 0; deg < 90; ++deg) {
+    const Estimate a = albedo(brdf, deg * degree, albedo_accuracy);
+    if (a.value - a.bound > 1.0 && !first) first = deg;
+    at_89 = a.value;
+  }
+  if (!first) return std::nullopt;
+  return fmt::format("the albedo passes 1 from theta_i = {} deg on ({:.3g} at 89 deg)", *first, at_89);
+}
+
+std::optional<std::string> reciprocity_warning(const Brdf& brdf) {
+  if (std::visit([](const auto& model) { return model.is_reciprocal; }, brdf)) return std::nullopt;
+  double worst = 0.0;
+  std::string where;
+  for (int i = 5; i <= 80; i += 5)
+    for (int r = 0; r < i; r += 5)
+      for (int phi = 0; phi <= 180; phi += 15) {
+        const double there = f_r_angles(brdf, i * degree, r * degree, phi * degree);
+        const double back = f_r_angles(brdf, r * degree, i * degree, phi * degree);
+        const double larger = std::max(there, back);
+        if (larger <= 0.0 || std::abs(there - back) <= worst * larger) continue;
+        worst = std::abs(there - back) / larger;
+        where = fmt::format("theta {} and {} deg, phi {} deg", i, r, phi);
+      }
+  if (where.empty()) return std::nullopt;
+  return fmt::format("not reciprocal: f_r changes by up to {:.2g} % when the directions are exchanged ({})",
+                     100.0 * worst, where);
+}
+
+}  // namespace
+
+std::string description_of(const Brdf& brdf) {
+  const BrdfWords words = words_of(brdf);
+  std::string text = words.form->name;
+  for (std::size_t k = 0; k < words.values.size(); ++k)
+    text += fmt::format(" {}={}", words.form->parameters[k], words.values[k]);
+  if (words.form->has_azimuth_of_specular) text += fmt::format(" azimuth_of_specular={}", words.azimuth_of_specular);
+  return text;
+}
+
+std::vector<std::string> brdf_warnings(const Brdf& brdf) {
+  std::vector<std::string> warnings;
+  if (auto warning = albedo_warning(brdf)) warnings.push_back(*warning);
+  if (auto warning = reciprocity_warning(brdf)) warnings.push_back(*warning);
+  return warnings;
+}
+
+std::string brdf_table(const Material& material, const std::vector<double>& theta_i_deg, double step_deg,
+                       double largest_theta_r_deg) {
+  require_domain(theta_i_deg, step_deg, largest_theta_r_deg);
+  std::string text = header(material, theta_i_deg) + "theta_i_deg,theta_r_deg,phi_deg,f_r_per_sr,G\n";
+  const int steps = static_cast<int>(std::floor(largest_theta_r_deg / step_deg));
+  for (const double i_deg : theta_i_deg)
+    for (int k = -steps; k <= steps; ++k) {
+      const double r_deg = k * step_deg;
+      text +=
+          fmt::format("{},{},0,{},{}\n", i_deg, r_deg, f_r_angles(material.brdf, i_deg * degree, r_deg * degree, 0.0),
+                      shadowing_of(material.brdf, i_deg * degree, r_deg * degree));
+    }
+  return text;
+}
+
+std::string materials_table() {
+  std::string text;
+  for (const Material& m : material_library())
+    text += fmt::format("{:<18} {:<8} {}\n{:>18} {}\n", m.name, text_of_length(m.wavelength, "um"),
+                        description_of(m.brdf), "", m.source);
+  return text;
+}
+
+}  // namespace lrcs

@@ -1,0 +1,28 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace lrcs {
+
+// A model's parameter is outside its domain. what(): "expected kb >= 0, found -1".
+class ParameterError : public std::domain_error {
+ public:
+  ParameterError(std::string_view parameter, std::string_view expected, double found)
+      : std::domain_error(fmt::format("expected {}, found {}", expected, found)), parameter_(parameter) {}
+  // The parameter's name as in a scene file: kb, reflectance, ...
+  [[nodiscard]] const std::string& parameter() const { return parameter_; }
+
+ private:
+  std::string parameter_;
+};
+
+// Throws ParameterError unless the value is finite and `inside`.
+inline void require_parameter(std::string_view parameter, double value, bool inside, std::string_view expected) {
+  if (!inside || !std::isfinite(value)) throw ParameterError(parameter, expected, value);
+}
+
+}  // namespace lrcs

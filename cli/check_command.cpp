@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "cli/commands.h"
+#include "lrcs/scene_target.h"
+
+namespace lrcs {
+namespace {
+
+void check(const std::string& file, bool quiet) {
+  const Scene scene = read_scene(file);
+  (void)facet_rows(scene);
+  const LoadedTarget loaded = load_target(scene);
+  fmt::print("{}: ok\n", file);
+  fmt::print("target      {}: {} facets in {} parts\n", scene.target.file.string(), loaded.target.mesh.size(),
+             loaded.target.mesh.part_names.size());
+  for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
+    fmt::print("material    {}: {} facets\n", scene.materials[m].name,
+               std::count(loaded.target.material.begin(), loaded.target.material.end(), m));
+  fmt::print("directions  {}\n", scene.directions.size());
+  if (quiet) return;
+  for (const auto& warning : wavelength_warnings(scene)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Common& common) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("check", "Read and resolve a scene, compute nothing");
+  verb->add_option("scene", *file, "SCENE.yaml")->required();
+  add_common_flags(*verb, common);
+  verb->callback([file, &common] { check(*file, common.quiet); });
+}
+
+}  // namespace lrcs

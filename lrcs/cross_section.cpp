@@ -1,0 +1,69 @@
+#include "lrcs/cross_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "base/compensated_sum.h"
+
+namespace lrcs {
+namespace {
+
+// f_r cos(theta_i) cos(theta_r) of every facet of one material, from the side that is seen. Others are left alone.
+void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr, std::vector<double>& out) {
+  const bool retro = wi == wr;
+  std::visit(
+      [&](const auto& model) {
+        const auto pair = model.for_pair(wi, wr);
+        for (std::size_t k = 0; k < out.size(); ++k) {
+          if (target.material[k] != material) continue;
+          const Vec3& n = target.mesh.normals[k];
+          const double cos_i = n.dot(wi);
+          if (cos_i < 0.0 && target.sides == Sides::front) continue;
+          if (retro)
+            out[k] = model.f_cos_cos_retro(std::abs(cos_i));
+          else
+            out[k] = cos_i < 0.0 ? pair(Vec3(-n)) : pair(n);
+        }
+      },
+      target.materials[material].brdf);
+}
+
+// Rounding of a model's value, relative: the angle's rounding counts 1/cos near grazing, the rest is a few dozen
+// operations and an exponent of up to a hundred. Held by CrossSection.BoundHoldsAgainstExtendedPrecision.
+constexpr double model_error = 512.0 * 0x1p-53;
+
+}  // namespace
+
+CrossSection cross_section(const Target& target, const Visibility& visibility, const Vec3& to_transmitter,
+                           const Vec3& to_receiver) {
+  const std::size_t facets = target.mesh.size();
+  std::vector<double> reflected(facets, 0.0);
+  for (std::uint32_t m = 0; m < target.materials.size(); ++m)
+    reflect(target, m, to_transmitter, to_receiver, reflected);
+
+  CrossSection result;
+  result.facet_sigma.resize(facets);
+  result.seen_fraction.resize(facets);
+  CompensatedSum sigma, bound, seen_area;
+  const auto seen = visibility.seen_fraction(to_transmitter, to_receiver);
+  for (std::size_t k = 0; k < facets; ++k) {
+    const double cos_i = target.mesh.normals[k].dot(to_transmitter);
+    const double cos_r = target.mesh.normals[k].dot(to_receiver);
+    const double area = target.mesh.areas[k];
+    const double full = 4.0 * std::numbers::pi * area * reflected[k];
+    result.seen_fraction[k] = seen[k].value;
+    result.facet_sigma[k] = full * seen[k].value;
+    sigma.add(result.facet_sigma[k]);
+    seen_area.add(area * seen[k].value * std::abs(cos_r));
+    const double grazing = std::min(std::abs(cos_i), std::abs(cos_r));
+    const double relative = grazing > model_error ? model_error / grazing : 1.0;
+    bound.add(full * (seen[k].bound + seen[k].value * relative));
+  }
+  result.sigma = {sigma.value(), bound.value()};
+  result.seen_area = seen_area.value();
+  return result;
+}
+
+}  // namespace lrcs

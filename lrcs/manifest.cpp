@@ -1,0 +1,90 @@
+#include "lrcs/manifest.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/version.h"
+#include "brdf/material_yaml.h"
+
+namespace lrcs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json target_json(const Scene& scene, const LoadedTarget& loaded) {
+  const RepairCounts& r = loaded.repaired;
+  return {{"file", scene.target.file.string()},
+          {"sha256", loaded.digest},
+          {"unit", scene.target.unit},
+          {"forward", scene.target.forward},
+          {"up", scene.target.up},
+          {"sides", scene.target.sides == Sides::front ? "front" : "both"},
+          {"facets", loaded.target.mesh.size()},
+          {"repair", scene.target.repair ? "auto" : "none"},
+          {"repaired",
+           {{"welded_vertices", r.welded_vertices},
+            {"degenerate", r.degenerate},
+            {"duplicate", r.duplicate},
+            {"flipped", r.flipped}}}};
+}
+
+Json materials_json(const LoadedTarget& loaded) {
+  std::vector<std::size_t> facets(loaded.target.materials.size(), 0);
+  for (const auto m : loaded.target.material) ++facets[m];
+  Json materials = Json::array();
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    const Material& m = loaded.target.materials[k];
+    materials.push_back({{"name", m.name}, {"facets", facets[k]}, {"definition", material_to_yaml(m)}});
+  }
+  return materials;
+}
+
+Json receiver_json(const Receiver& receiver) {
+  switch (receiver.kind) {
+    case Receiver::Kind::fixed:
+      return {{"azimuth_deg", receiver.fixed.azimuth_deg}, {"elevation_deg", receiver.fixed.elevation_deg}};
+    case Receiver::Kind::bistatic:
+      return {{"bistatic_angle_deg", receiver.bistatic_angle_deg},
+              {"plane", receiver.plane == Receiver::Plane::azimuth ? "azimuth" : "elevation"}};
+    default:
+      return "monostatic";
+  }
+}
+
+Json facets_json(const std::vector<FacetFile>& files) {
+  Json facets = Json::array();
+  for (const auto& [name, row, aspect] : files)
+    facets.push_back({{"file", name},
+                      {"row", row},
+                      {"transmitter_azimuth_deg", aspect.transmitter.azimuth_deg},
+                      {"transmitter_elevation_deg", aspect.transmitter.elevation_deg},
+                      {"receiver_azimuth_deg", aspect.receiver.azimuth_deg},
+                      {"receiver_elevation_deg", aspect.receiver.elevation_deg}});
+  return facets;
+}
+
+}  // namespace
+
+std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts) {
+  Json outputs = Json::array();
+  for (const auto& [name, digest] : facts.outputs) outputs.push_back({{"file", name}, {"sha256", digest}});
+  const Json json{{"program", "lrcs"},
+                  {"version", version},
+                  {"command", facts.command},
+                  {"started_utc", facts.started_utc},
+                  {"scene", {{"file", scene.name}, {"sha256", scene.digest}}},
+                  {"wavelength_m", scene.wavelength > 0.0 ? Json(scene.wavelength) : Json(nullptr)},
+                  {"target", target_json(scene, loaded)},
+                  {"materials", materials_json(loaded)},
+                  {"directions", scene.directions.size()},
+                  {"receiver", receiver_json(scene.receiver)},
+                  {"accuracy", scene.relative_accuracy ? Json{{"relative", *scene.relative_accuracy}} : Json("exact")},
+                  {"method", "exact seen area of every facet"},
+                  {"threads", facts.threads},
+                  {"seconds", {{"read", facts.read_seconds}, {"sweep", facts.sweep_seconds}}},
+                  {"outputs", outputs},
+                  {"facets", facets_json(facts.facets)},
+                  {"warnings", facts.warnings}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace lrcs

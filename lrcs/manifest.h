@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lrcs/scene.h"
+#include "lrcs/scene_target.h"
+
+namespace lrcs {
+
+// A facet file: facets-k.vtp, k its place in output.facets, or the row for facets: all.
+struct FacetFile {
+  std::string name;
+  std::size_t row = 0;  // of the sweep, from 0
+  Aspect aspect;
+};
+
+// How a run went, for manifest.json.
+struct RunFacts {
+  std::vector<std::string> command;  // the program's arguments
+  std::string started_utc;           // ISO 8601
+  double read_seconds = 0.0, sweep_seconds = 0.0;
+  std::size_t threads = 0;
+  std::vector<std::string> warnings;
+  std::vector<std::pair<std::string, std::string>> outputs;  // file name, SHA-256
+  std::vector<FacetFile> facets;
+};
+
+// The content of manifest.json: inputs with digests, version, command, what was repaired, materials, conventions,
+// times, outputs with digests, the direction of every facet file, warnings.
+[[nodiscard]] std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts);
+
+}  // namespace lrcs

@@ -1,0 +1,215 @@
+#include "lrcs/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/digest.h"
+#include "base/length.h"
+#include "base/located_yaml.h"
+#include "base/nearest_name.h"
+#include "brdf/material_yaml.h"
+#include "lrcs/sweep_yaml.h"
+
+namespace lrcs {
+namespace {
+
+TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path& folder) {
+  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair"});
+  TargetFile target;
+  target.file = folder / node.at("file").text();
+  target.place = node.at("file").place();
+  if (!node.has("unit"))
+    node.fail(fmt::format("key 'unit' is missing: {} has no unit of its own; expected one of {}",
+                          node.at("file").text(), fmt::join(length_units(), ", ")));
+  target.unit = node.at("unit").text();
+  target.metres_per_unit = checked_unit(target.unit, node.at("unit").place());
+  if (node.has("forward"))
+    target.forward = node.at("forward").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
+  if (node.has("up")) target.up = node.at("up").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
+  if (target.forward.back() == target.up.back())
+    node.at(node.has("up") ? "up" : "forward")
+        .fail(fmt::format("expected forward and up along different axes, found {} and {}", target.forward, target.up));
+  if (node.has("sides") && node.at("sides").one_of({"both", "front"}) == "front") target.sides = Sides::front;
+  if (node.has("repair")) target.repair = node.at("repair").one_of({"auto", "none"}) == "auto";
+  return target;
+}
+
+std::vector<std::string> names_of(const std::vector<Material>& materials) {
+  std::vector<std::string> names;
+  for (const Material& m : materials) names.push_back(m.name);
+  return names;
+}
+
+AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string>& materials) {
+  node.allow_keys({"part", "file_material", "material", "default"});
+  AssignRule rule;
+  std::string key = "material";
+  if (node.has("default")) {
+    key = "default";
+    for (const auto* other : {"part", "file_material", "material"})
+      if (node.has(other)) node.key_place(other).fail(fmt::format("expected either default or {}, found both", other));
+    rule.place = node.at("default").place();
+  } else {
+    if (node.has("part") == node.has("file_material"))
+      node.fail(
+          "expected {part: PATTERN, material: NAME}, {file_material: PATTERN, material: NAME} or {default: NAME}");
+    const std::string by = node.has("part") ? "part" : "file_material";
+    rule.by = by == "part" ? AssignRule::By::part : AssignRule::By::file_material;
+    rule.pattern = node.at(by).text();
+    rule.place = node.at(by).place();
+  }
+  rule.material = node.at(key).text();
+  if (std::find(materials.begin(), materials.end(), rule.material) == materials.end())
+    node.at(key).fail(fmt::format("unknown material '{}'{} (materials: {})", rule.material,
+                                  did_you_mean(rule.material, materials), fmt::join(materials, ", ")));
+  return rule;
+}
+
+// Names stand in comment lines of results.
+Material material_of(const std::string& name, const LocatedYaml& node, const LocatedYaml& key) {
+  const bool one_line =
+      std::none_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  if (name.empty() || !one_line) key.fail("expected a material's name on one line");
+  if (!node.is_map())
+    node.fail(fmt::format("material '{}': expected {{library: NAME}} or {{model: NAME, ...}}, found {}", name,
+                          found_in(node)));
+  return material_from_yaml(node, name);
+}
+
+std::vector<Material> materials_from_yaml(const LocatedYaml& node) {
+  std::vector<Material> materials;
+  for (const auto& [name, value] : node.entries()) materials.push_back(material_of(name, value, node.key_place(name)));
+  if (materials.empty()) node.fail("expected at least one material");
+  return materials;
+}
+
+FacetOutput facets_from_yaml(const LocatedYaml& node) {
+  FacetOutput facets;
+  if (node.is_scalar()) {
+    facets.all = node.one_of({"none", "all"}) == "all";
+    return facets;
+  }
+  if (!node.is_sequence())
+    node.fail(
+        fmt::format("expected none, all, or a list of {{azimuth: A, elevation: E}} in deg, found {}", found_in(node)));
+  for (const auto& item : node.items()) {
+    facets.directions.push_back(angles_from_yaml(item));
+    facets.places.push_back(item.place());
+  }
+  return facets;
+}
+
+double wavelength_from_yaml(const LocatedYaml& node) {
+  try {
+    return length_from_text(node.text());
+  } catch (const std::invalid_argument& wrong) {
+    node.fail(wrong.what());
+  }
+}
+
+std::optional<double> accuracy_from_yaml(const LocatedYaml& node) {
+  if (!node.is_map()) {
+    if (!node.is_scalar() || node.text() != "exact")
+      node.fail(fmt::format("expected exact or {{relative: 1e-3}}, found {}", found_in(node)));
+    return std::nullopt;
+  }
+  node.allow_keys({"relative"});
+  const LocatedYaml relative = node.at("relative");
+  const double value = relative.number();
+  if (!(value > 0.0 && value < 1.0))
+    relative.fail(fmt::format("expected a number between 0 and 1, found {}", relative.text()));
+  return value;
+}
+
+// The same angles come first: straight up and down every azimuth points the same way.
+std::size_t nearest_row(const AspectAngles& asked, const std::vector<AspectAngles>& directions) {
+  const auto same = std::find(directions.begin(), directions.end(), asked);
+  if (same != directions.end()) return static_cast<std::size_t>(same - directions.begin());
+  const Vec3 d = direction_of(asked);
+  double nearest = 4.0;
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double apart = (direction_of(directions[k]) - d).norm();
+    if (apart < nearest) {
+      nearest = apart;
+      row = k;
+    }
+  }
+  return row;
+}
+
+void check_version(const LocatedYaml& yaml) {
+  if (!yaml.has("lrcs")) yaml.fail("key 'lrcs' is missing: expected 'lrcs: 1', the version of the format");
+  const LocatedYaml wanted = yaml.at("lrcs");
+  if (wanted.number() != 1.0) wanted.fail(fmt::format("expected format version 1, found {}", wanted.text()));
+}
+
+}  // namespace
+
+double checked_unit(const std::string& unit, const Place& place) {
+  try {
+    return metres_in(unit);
+  } catch (const std::invalid_argument& wrong) {
+    throw InputError(place, wrong.what());
+  }
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  const LocatedYaml yaml = LocatedYaml::of_file(file);
+  yaml.allow_keys({"lrcs", "wavelength", "target", "materials", "assign", "sweep", "receiver", "accuracy", "output"});
+  check_version(yaml);
+  Scene scene;
+  scene.name = file.string();
+  scene.digest = digest_of_file(file);
+  if (yaml.has("wavelength")) scene.wavelength = wavelength_from_yaml(yaml.at("wavelength"));
+  scene.target = target_from_yaml(yaml.at("target"), file.parent_path());
+  scene.materials = materials_from_yaml(yaml.at("materials"));
+  const auto names = names_of(scene.materials);
+  const LocatedYaml assign = yaml.at("assign");
+  scene.assign_place = assign.place();
+  for (const auto& item : assign.items()) scene.assign.push_back(rule_from_yaml(item, names));
+  scene.directions = sweep_from_yaml(yaml.at("sweep"));
+  if (yaml.has("receiver")) scene.receiver = receiver_from_yaml(yaml.at("receiver"));
+  if (yaml.has("accuracy")) scene.relative_accuracy = accuracy_from_yaml(yaml.at("accuracy"));
+  if (yaml.has("output")) {
+    yaml.at("output").allow_keys({"facets"});
+    if (yaml.at("output").has("facets")) scene.facets = facets_from_yaml(yaml.at("output").at("facets"));
+  }
+  return scene;
+}
+
+std::vector<std::size_t> facet_rows(const Scene& scene) {
+  // Angles that print the same to a user are the same: from + k step need not hit the double nearest to the decimals.
+  constexpr double same_deg = 1.0 / 1048576.0;
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < scene.facets.directions.size(); ++k) {
+    const AspectAngles& asked = scene.facets.directions[k];
+    const std::size_t row = nearest_row(asked, scene.directions);
+    const AspectAngles& found = scene.directions[row];
+    if ((direction_of(found) - direction_of(asked)).norm() > same_deg * degree)
+      throw InputError(
+          scene.facets.places[k],
+          fmt::format("azimuth {}, elevation {} is no direction of the sweep; the nearest is azimuth {}, elevation {}",
+                      asked.azimuth_deg, asked.elevation_deg, found.azimuth_deg, found.elevation_deg));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<std::string> wavelength_warnings(const Scene& scene) {
+  // Wavelengths are told apart to a millionth: finer than any laser line is quoted.
+  constexpr double same = 1.0 / 1048576.0;
+  std::vector<std::string> warnings;
+  for (const Material& m : scene.materials) {
+    if (m.wavelength == 0.0 || scene.wavelength == 0.0) continue;
+    if (std::abs(m.wavelength - scene.wavelength) <= same * scene.wavelength) continue;
+    warnings.push_back(fmt::format("material '{}' is for {}, the scene is at {}", m.name,
+                                   text_of_length(m.wavelength, "um"), text_of_length(scene.wavelength, "um")));
+  }
+  return warnings;
+}
+
+}  // namespace lrcs

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "lrcs/aspect.h"
+#include "lrcs/cross_section.h"
+
+namespace lrcs {
+
+// One row of the result.
+struct SweepRow {
+  Aspect aspect;
+  Estimate sigma;          // [m^2]
+  double seen_area = 0.0;  // [m^2]
+};
+
+// What happens while a sweep runs. Called from several threads, one at a time.
+struct SweepWatch {
+  std::function<void(std::size_t done)> progress;                                     // may be empty
+  std::function<bool(std::size_t row)> wants_facets;                                  // may be empty: none
+  std::function<void(std::size_t row, const SweepRow&, const CrossSection&)> facets;  // for the rows wanted
+};
+
+// The cross section at every aspect, in the order given. Parallel over aspects.
+// What a watcher throws ends the sweep and comes out here.
+// law: the same bytes for any number of threads (0: all there are).
+[[nodiscard]] std::vector<SweepRow> run_sweep(const Target& target, const std::vector<Aspect>& aspects,
+                                              std::size_t threads, const SweepWatch& watch = {});
+
+}  // namespace lrcs

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "lrcs/scene.h"
+#include "lrcs/sweep.h"
+
+namespace lrcs {
+
+// 10 log10(sigma / 1 m^2) [dBsm]; -infinity for 0.
+[[nodiscard]] double dbsm(double sigma_m2);
+
+// The content of sweep.csv: comment lines with version, digests, wavelength and conventions, the header, one line a
+// row. Numbers are the shortest that read back to the same double.
+[[nodiscard]] std::string sweep_csv(const Scene& scene, const std::string& target_digest,
+                                    const std::vector<SweepRow>& rows);
+
+}  // namespace lrcs

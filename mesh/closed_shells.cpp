@@ -1,0 +1,221 @@
+#include "mesh/closed_shells.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "base/compensated_sum.h"
+#include "mesh/edges.h"
+
+namespace lrcs {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+// Disjoint sets of facets that know whether a facet's winding is opposite to that of its set's root.
+class WindingSets {
+ public:
+  explicit WindingSets(std::size_t facets) : parent_(facets), opposite_(facets, false), torn_(facets, false) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  std::uint32_t root(std::uint32_t facet) {
+    // Two passes: find the root, then hang every facet of the path under it with its winding relative to the root.
+    std::uint32_t root = facet;
+    bool opposite = false;
+    for (; parent_[root] != root; root = parent_[root]) opposite = opposite != opposite_[root];
+    while (parent_[facet] != root && facet != root) {
+      const std::uint32_t next = parent_[facet];
+      const bool next_opposite = opposite != opposite_[facet];
+      parent_[facet] = root;
+      opposite_[facet] = opposite;
+      facet = next;
+      opposite = next_opposite;
+    }
+    return root;
+  }
+  bool is_opposite(std::uint32_t facet) {
+    root(facet);
+    return opposite_[facet];
+  }
+  // Says that the windings of two facets are the same or opposite. A contradiction tears the set.
+  void join(std::uint32_t a, std::uint32_t b, bool opposite) {
+    const std::uint32_t root_a = root(a);
+    const std::uint32_t root_b = root(b);
+    const bool roots_opposite = (opposite_[a] != opposite_[b]) != opposite;
+    if (root_a == root_b) {
+      if (roots_opposite) torn_[root_a] = true;
+      return;
+    }
+    parent_[root_b] = root_a;
+    opposite_[root_b] = roots_opposite;
+    torn_[root_a] = torn_[root_a] || torn_[root_b];
+  }
+  void tear(std::uint32_t facet) { torn_[root(facet)] = true; }
+  [[nodiscard]] bool is_torn(std::uint32_t facet) { return torn_[root(facet)]; }
+
+ private:
+  Indices parent_;
+  std::vector<bool> opposite_;  // to the parent; false for a root
+  std::vector<bool> torn_;      // of a root: not closed, or not orientable
+};
+
+// Tears every set whose windings do not cancel at one of its edges.
+void tear_open_sets(const Edges& edges, WindingSets& sets) {
+  std::map<std::uint32_t, int> balance;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    balance.clear();
+    for (const EdgeUse& use : edges.uses(edge))
+      balance[sets.root(use.facet)] += use.rising != sets.is_opposite(use.facet) ? 1 : -1;
+    for (const auto& [root, sum] : balance) {
+      if (sum != 0) sets.tear(root);
+    }
+  }
+}
+
+// Six times the signed volume between the facet and the origin.
+double wedge(const FacetMesh& mesh, std::uint32_t facet, const Vec3& origin) {
+  const auto [a, b, c] = mesh.corners(facet);
+  return (a - origin).dot((b - origin).cross(c - origin));
+}
+
+// Makes the shell's windings consistent, most of them as they are, and measures its volume.
+ClosedShell shell_of(const FacetMesh& mesh, Indices facets, WindingSets& sets) {
+  ClosedShell shell;
+  shell.facets = std::move(facets);
+  Indices same;
+  for (const std::uint32_t facet : shell.facets) (sets.is_opposite(facet) ? shell.reversed : same).push_back(facet);
+  if (same.size() < shell.reversed.size()) std::swap(same, shell.reversed);
+  const Vec3& origin = mesh.positions[mesh.facets[shell.facets[0]][0]];
+  CompensatedSum six_volumes;
+  for (const std::uint32_t facet : same) six_volumes.add(wedge(mesh, facet, origin));
+  for (const std::uint32_t facet : shell.reversed) six_volumes.add(-wedge(mesh, facet, origin));
+  shell.volume = six_volumes.value() / 6.0;
+  return shell;
+}
+
+void reverse(ClosedShell& shell) {
+  Indices others;
+  std::set_difference(shell.facets.begin(), shell.facets.end(), shell.reversed.begin(), shell.reversed.end(),
+                      std::back_inserter(others));
+  shell.reversed = std::move(others);
+  shell.volume = -shell.volume;
+}
+
+// The closed shells among some facets; what belongs to none is left in `facets`.
+void take_shells(const FacetMesh& mesh, Indices& facets, bool in_one_part, std::vector<ClosedShell>& shells) {
+  const Edges edges(mesh, facets);
+  WindingSets sets(mesh.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const auto uses = edges.uses(edge);
+    if (uses.size() == 2) sets.join(uses[0].facet, uses[1].facet, uses[0].rising == uses[1].rising);
+  }
+  tear_open_sets(edges, sets);
+  std::map<std::uint32_t, Indices> closed;  // by the smallest facet, so that the order does not hang on the roots
+  std::map<std::uint32_t, std::uint32_t> smallest;
+  Indices left;
+  for (const std::uint32_t facet : facets) {
+    if (sets.is_torn(facet))
+      left.push_back(facet);
+    else
+      closed[smallest.try_emplace(sets.root(facet), facet).first->second].push_back(facet);
+  }
+  for (auto& [first, members] : closed) {
+    shells.push_back(shell_of(mesh, std::move(members), sets));
+    shells.back().in_one_part = in_one_part;
+  }
+  facets = std::move(left);
+}
+
+std::vector<Indices> facets_of_parts(const FacetMesh& mesh) {
+  std::vector<Indices> parts(mesh.part_names.size());
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) parts[mesh.part[k]].push_back(k);
+  return parts;
+}
+
+using Box = Eigen::AlignedBox3d;
+
+Box box_of(const FacetMesh& mesh, const ClosedShell& shell) {
+  Box box;
+  for (const std::uint32_t facet : shell.facets) {
+    for (const Vec3& corner : mesh.corners(facet)) box.extend(corner);
+  }
+  return box;
+}
+
+// How often the shell goes round the point: 0 outside, 1 or -1 inside. The solid angle of all facets over 4 pi.
+// source: A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30(2), 125-126, 1983.
+double turns_round(const FacetMesh& mesh, const ClosedShell& shell, const Vec3& point) {
+  const auto angle_of = [&](std::uint32_t facet) {
+    auto [a, b, c] = mesh.corners(facet);
+    a -= point, b -= point, c -= point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    return std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
+  };
+  CompensatedSum half_angle;
+  auto reversed = shell.reversed.begin();
+  for (const std::uint32_t facet : shell.facets) {
+    const bool is_reversed = reversed != shell.reversed.end() && *reversed == facet;
+    if (is_reversed) ++reversed;
+    half_angle.add(is_reversed ? -angle_of(facet) : angle_of(facet));
+  }
+  return half_angle.value() / (2.0 * std::numbers::pi);
+}
+
+// Most of a few points spread over the inner shell lie inside the outer one: single ones may lie on it.
+bool lies_inside(const FacetMesh& mesh, const ClosedShell& inner, const ClosedShell& outer) {
+  constexpr std::size_t points = 5;
+  int inside = 0;
+  for (std::size_t k = 0; k < points; ++k) {
+    const auto [a, b, c] = mesh.corners(inner.facets[k * inner.facets.size() / points]);
+    inside += std::abs(turns_round(mesh, outer, (a + b + c) / 3.0)) > 0.5 ? 1 : -1;
+  }
+  return inside > 0;
+}
+
+// Below this, a volume is rounding.
+double volume_noise(const FacetMesh& mesh, const ClosedShell& shell) {
+  const Vec3& origin = mesh.positions[mesh.facets[shell.facets[0]][0]];
+  double sum = 0.0;
+  for (const std::uint32_t facet : shell.facets) {
+    const auto [a, b, c] = mesh.corners(facet);
+    sum += (a - origin).norm() * (b - origin).norm() * (c - origin).norm();
+  }
+  return 16.0 * std::numeric_limits<double>::epsilon() * sum;
+}
+
+void face_outward(const FacetMesh& mesh, std::vector<ClosedShell>& shells) {
+  std::vector<Box> boxes;
+  boxes.reserve(shells.size());
+  for (const ClosedShell& shell : shells) boxes.push_back(box_of(mesh, shell));
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    if (shells[i].volume >= -volume_noise(mesh, shells[i])) continue;
+    bool nested = false;
+    for (std::size_t o = 0; o < shells.size() && !nested; ++o)
+      nested = o != i && boxes[o].contains(boxes[i]) && lies_inside(mesh, shells[i], shells[o]);
+    if (!nested) reverse(shells[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<ClosedShell> closed_shells(const FacetMesh& welded) {
+  std::vector<ClosedShell> shells;
+  Indices left;
+  for (Indices& part : facets_of_parts(welded)) {
+    take_shells(welded, part, true, shells);
+    left.insert(left.end(), part.begin(), part.end());
+  }
+  std::sort(left.begin(), left.end());
+  take_shells(welded, left, false, shells);
+  face_outward(welded, shells);
+  return shells;
+}
+
+}  // namespace lrcs

@@ -1,0 +1,115 @@
+#include "mesh/diagnosis.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "base/compensated_sum.h"
+#include "mesh/closed_shells.h"
+#include "mesh/edges.h"
+#include "mesh/repair.h"
+#include "mesh/self_intersections.h"
+#include "mesh/weld.h"
+
+namespace lrcs {
+namespace {
+
+double area_of(const FacetMesh& mesh, std::size_t facet) {
+  const auto [a, b, c] = mesh.corners(facet);
+  return 0.5 * facet_cross(a, b, c).stableNorm();
+}
+
+void count_vertices(const FacetMesh& mesh, Diagnosis& d) {
+  const std::vector<std::uint32_t> first = first_equal(mesh.positions);
+  std::vector<bool> used(first.size(), false);
+  Eigen::AlignedBox3d box;
+  for (const auto& facet : mesh.facets) {
+    for (const std::uint32_t corner : facet) {
+      used[first[corner]] = true;
+      box.extend(mesh.positions[corner]);
+    }
+  }
+  d.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  if (mesh.size() > 0) d.box = {box.min(), box.max()};
+}
+
+void measure_parts(const FacetMesh& mesh, Diagnosis& d) {
+  const std::size_t count = mesh.part_names.size();
+  std::vector<CompensatedSum> areas(count);
+  std::vector<std::set<std::string>> materials(count);
+  CompensatedSum area;
+  d.parts.resize(count);
+  for (std::size_t k = 0; k < mesh.size(); ++k) {
+    const std::uint32_t part = mesh.part[k];
+    area.add(area_of(mesh, k));
+    areas[part].add(area_of(mesh, k));
+    materials[part].insert(mesh.file_material_names[mesh.file_material[k]]);
+    ++d.parts[part].facets;
+  }
+  d.area = area.value();
+  for (std::size_t p = 0; p < count; ++p) {
+    d.parts[p].name = mesh.part_names[p];
+    d.parts[p].area = areas[p].value();
+    for (const std::string& material : materials[p])
+      if (!material.empty()) d.parts[p].file_material += (d.parts[p].file_material.empty() ? "" : ", ") + material;
+  }
+}
+
+bool is_closed(const Edges& edges) {
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    if (edges.uses(edge).size() % 2 != 0) return false;
+  }
+  return edges.size() > 0;
+}
+
+void count_edges(const FacetMesh& repaired, Diagnosis& d) {
+  std::vector<std::uint32_t> all(repaired.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const Edges edges(repaired, all);
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    d.boundary_edges += edges.uses(edge).size() == 1 ? 1 : 0;
+    d.non_manifold_edges += edges.uses(edge).size() > 2 ? 1 : 0;
+  }
+  d.closed = is_closed(edges);
+}
+
+void measure_volumes(const FacetMesh& repaired, Diagnosis& d) {
+  std::vector<std::size_t> left(d.parts.size(), 0);  // facets that are in no closed shell of the part
+  for (const std::uint32_t part : repaired.part) ++left[part];
+  CompensatedSum volume;
+  std::vector<CompensatedSum> volumes(d.parts.size());
+  for (const ClosedShell& shell : closed_shells(repaired)) {
+    volume.add(shell.volume);
+    if (!shell.in_one_part) continue;
+    const std::uint32_t part = repaired.part[shell.facets[0]];
+    volumes[part].add(shell.volume);
+    left[part] -= shell.facets.size();
+  }
+  d.volume = volume.value();
+  for (std::size_t p = 0; p < d.parts.size(); ++p) {
+    d.parts[p].closed = left[p] == 0 && d.parts[p].area > 0.0;
+    if (d.parts[p].closed) d.parts[p].volume = volumes[p].value();
+  }
+}
+
+}  // namespace
+
+Diagnosis diagnose(const FacetMesh& mesh) {
+  Diagnosis d;
+  d.facets = mesh.size();
+  count_vertices(mesh, d);
+  measure_parts(mesh, d);
+  FacetMesh repaired = mesh;
+  const RepairCounts counts = repair_connectivity(repaired);
+  d.degenerate = counts.degenerate;
+  d.duplicate = counts.duplicate;
+  d.flipped = counts.flipped;
+  count_edges(repaired, d);
+  measure_volumes(repaired, d);
+  drop_degenerate(repaired);
+  d.self_intersections = self_intersections(repaired);
+  return d;
+}
+
+}  // namespace lrcs

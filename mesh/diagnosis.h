@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/facet_mesh.h"
+
+namespace lrcs {
+
+// What is known of one part. Lengths in the mesh's unit: metres in the body frame.
+struct PartDiagnosis {
+  std::string name;
+  std::size_t facets = 0;
+  double area = 0.0;
+  bool closed = false;           // by itself: its facets bound a volume
+  std::optional<double> volume;  // enclosed, cavities taken off; none where the part is open
+  std::string file_material;     // as the file names it; several: joined with ", "; "" where it names none
+};
+
+// What was read, before any repair: the numbers of `lrcs info`.
+// Vertices of equal position are one vertex throughout. Edges, closedness and volume are those of the mesh without
+// facets that have two equal corners or repeat an earlier facet; facets whose three corners are collinear count there,
+// because they close the edges where a vertex lies on a neighbour's edge. Self-intersections are those of the mesh that
+// repair() makes.
+struct Diagnosis {
+  std::size_t facets = 0;
+  std::size_t vertices = 0;  // different positions that facets use
+  double area = 0.0;
+  double volume = 0.0;                 // enclosed by closed shells, cavities taken off; 0 where nothing is closed
+  std::array<Vec3, 2> box{};           // of the facets: least and greatest coordinates
+  bool closed = false;                 // every edge has an even number of facets
+  std::size_t degenerate = 0;          // facets of area exactly zero
+  std::size_t duplicate = 0;           // facets that repeat an earlier one, winding included
+  std::size_t non_manifold_edges = 0;  // edges of more than two facets
+  std::size_t boundary_edges = 0;      // edges of one facet
+  std::size_t flipped = 0;             // facets of closed shells whose winding points inward
+  std::size_t self_intersections = 0;  // pairs of facets (self_intersections.h)
+  std::vector<PartDiagnosis> parts;    // in file order
+};
+
+// check: made bodies with known counts, and a half-edge mesh as a second route (tests/mesh/diagnosis_test.cpp).
+[[nodiscard]] Diagnosis diagnose(const FacetMesh& mesh);
+
+}  // namespace lrcs

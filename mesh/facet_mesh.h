@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace lrcs {
+
+// A target as triangular facets, in arrays: what the integrator reads.
+// shape: every per-facet array has one entry a facet. Positions may repeat: `facets` says nothing of connectivity.
+// frame: as the file gives it until placed in the body frame [m] (mesh/body_frame.h).
+struct FacetMesh {
+  std::vector<Vec3> positions;                       // vertices
+  std::vector<std::array<std::uint32_t, 3>> facets;  // indices into positions, counter-clockwise seen from the front
+  std::vector<std::uint32_t> part;                   // index into part_names
+  std::vector<std::uint32_t> file_material;          // index into file_material_names
+  std::vector<std::uint32_t> source_facet;           // number of the polygon in the file, from 0, in file order
+  std::vector<std::string> part_names;           // never empty where there are facets; "" where the file has no names
+  std::vector<std::string> file_material_names;  // the same; "" where the file names no material
+
+  // Set by measure_facets(), and kept true by every function of this folder that changes a mesh.
+  std::vector<Vec3> normals;  // unit, by the winding; zero for a facet of area exactly zero
+  std::vector<double> areas;  // [m^2] in the body frame; before that the square of the file's unit
+
+  [[nodiscard]] std::size_t size() const { return facets.size(); }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::size_t facet) const {
+    const auto& f = facets[facet];
+    return {positions[f[0]], positions[f[1]], positions[f[2]]};
+  }
+};
+
+// Cross product (b - a) x (c - a): twice the area times the unit normal.
+// domain: coordinates up to 1e100 and, where not equal, at least 1e-100 apart; beyond, products over- or underflow.
+// laws: exactly zero where a, b, c are collinear, and only there; turns into its opposite where two corners are
+// swapped.
+// error: 2 units in the last place of every component, the differences' rounding included, however thin the facet.
+// check: against rational arithmetic in tests/mesh/facet_mesh_test.cpp.
+// source: T. J. Dekker, Numer. Math. 18, 224-242, 1971 (error-free product); J. R. Shewchuk, Discrete Comput. Geom. 18,
+// 305-363, 1997 (exact sum of expansions). std::fma is exact with and without the instruction.
+[[nodiscard]] Vec3 facet_cross(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Fills normals and areas from the positions.
+// error: 4 units in the last place of every area.
+void measure_facets(FacetMesh& mesh);
+
+}  // namespace lrcs

@@ -1,0 +1,126 @@
+#include "mesh/file_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/input_error.h"
+#include "mesh/text_scanner.h"
+
+namespace lrcs {
+namespace {
+
+constexpr std::string_view readable = "expected STL, OBJ, PLY or OFF";
+
+struct Signature {
+  std::string_view begin;
+  std::string_view name;
+};
+
+constexpr std::array unread_formats{
+    Signature{"ISO-10303-21", "a STEP file"},
+    Signature{"glTF", "a binary glTF file (GLB)"},
+    Signature{"\x1f\x8b", "compressed (gzip)"},
+    Signature{"PK\x03\x04", "a ZIP archive (such as 3MF)"},
+    Signature{"BZh", "compressed (bzip2)"},
+    Signature{"\xfd"
+              "7zXZ",
+              "compressed (xz)"},
+    Signature{"# vtk DataFile", "a VTK legacy file"},
+    Signature{"<VTKFile", "a VTK XML file"},
+    Signature{"<?xml", "an XML file (such as VTP, COLLADA, AMF or X3D)"},
+    Signature{"#VRML", "a VRML file"},
+    Signature{"Kaydara FBX", "an FBX file"},
+    Signature{"DBRep_DrawableShape", "an Open CASCADE BREP file"},
+    Signature{"CASCADE Topology", "an Open CASCADE BREP file"},
+    Signature{"$MeshFormat", "a Gmsh file"},
+    Signature{"\x89HDF", "an HDF5 file"},
+    Signature{"%PDF", "a PDF document"},
+};
+
+bool is_iges(std::string_view content) {
+  return content.size() > 80 && (content[72] == 'S' || content[72] == 'C') &&
+         content.substr(73, 7).find_first_not_of(" 0123456789") == std::string_view::npos;
+}
+
+void refuse_unread(std::string_view content, const std::string& file) {
+  const auto refuse = [&](std::string_view name) {
+    throw InputError(Place{file}, fmt::format("is {}, which is not read yet; {}", name, readable));
+  };
+  for (const Signature& format : unread_formats) {
+    if (content.starts_with(format.begin)) refuse(format.name);
+  }
+  if (is_iges(content)) refuse("an IGES file");
+  if (content.starts_with("{") && content.find("\"asset\"") != std::string_view::npos) refuse("a glTF file");
+  if (content.starts_with("\xfe\xff") || content.starts_with("\xff\xfe"))
+    throw InputError(Place{file}, "is UTF-16 text, expected UTF-8 or ASCII");
+}
+
+// The size of a binary STL fits its header; no text has such a count there.
+bool is_binary_stl(std::string_view content) {
+  return content.size() >= 84 && content.size() == 84 + std::size_t{50} * binary_stl_count(content);
+}
+
+bool is_text(std::string_view content) {
+  return content.substr(0, 4096).find('\0') == std::string_view::npos;
+}
+
+bool is_off_keyword(std::string_view word) {
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  }
+  return word == "OFF";
+}
+
+bool is_obj_keyword(std::string_view word) {
+  constexpr std::array keywords{"v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl", "fo"};
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+std::optional<FileFormat> text_format(std::string_view content) {
+  TextScanner scanner(content, "");
+  const std::string_view word = scanner.next_word();
+  if (word == "ply") return FileFormat::ply;
+  if (is_off_keyword(word)) return FileFormat::off;
+  if (same_word(word, "solid") || same_word(word, "facet")) return FileFormat::stl_text;
+  if (is_obj_keyword(word)) return FileFormat::obj;
+  return std::nullopt;
+}
+
+std::optional<FileFormat> format_by_extension(const std::filesystem::path& file, bool text) {
+  const std::string extension = file.extension().string();
+  if (same_word(extension, ".stl")) return text ? FileFormat::stl_text : FileFormat::stl_binary;
+  if (!text) return std::nullopt;
+  if (same_word(extension, ".obj")) return FileFormat::obj;
+  if (same_word(extension, ".ply")) return FileFormat::ply;
+  if (same_word(extension, ".off")) return FileFormat::off;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::uint32_t binary_stl_count(std::string_view content) {
+  std::uint32_t count = 0;
+  for (std::size_t k = 4; k-- > 0;) count = count << 8U | static_cast<unsigned char>(content[80 + k]);
+  return count;
+}
+
+FileFormat file_format_of(std::string_view content, const std::filesystem::path& file) {
+  if (content.empty()) throw InputError(Place{file.string()}, fmt::format("is empty, {}", readable));
+  if (is_binary_stl(content)) return FileFormat::stl_binary;
+  refuse_unread(content, file.string());
+  // A PLY header is text, its data need not be; a "solid" with zero bytes in it is a broken binary STL.
+  const bool text = is_text(content);
+  const auto by_content = text_format(content);
+  if (by_content && (text || *by_content == FileFormat::ply)) return *by_content;
+  if (by_content == FileFormat::stl_text) return FileFormat::stl_binary;
+  if (const auto by_extension = format_by_extension(file, text)) return *by_extension;
+  throw InputError(Place{file.string()}, fmt::format("is in no format known here, {}", readable));
+}
+
+}  // namespace lrcs

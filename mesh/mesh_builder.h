@@ -1,0 +1,56 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/facet_mesh.h"
+
+namespace lrcs {
+
+// What a coordinate may be: finite, and small enough that areas and volumes do not overflow.
+[[nodiscard]] inline bool is_coordinate(double x) {
+  return std::abs(x) <= 1e100;
+}
+
+// Puts a FacetMesh together from the vertices and polygons of a file, in file order.
+// laws: equal part names are one part, equal material names one material; a name without polygons leaves no trace.
+class MeshBuilder {
+ public:
+  // Adds a vertex and gives its index. domain: coordinates for which is_coordinate() holds.
+  std::uint32_t add_position(const Vec3& position);
+  [[nodiscard]] std::size_t position_count() const { return mesh_.positions.size(); }
+
+  // The part and the material of the polygons that follow; "" before the first call.
+  void begin_part(std::string_view name) { part_.begin(name); }
+  void begin_material(std::string_view name) { material_.begin(name); }
+
+  // Adds a polygon, cut into facets (mesh/polygon_cut.h).
+  // domain: at least 3 corners, indices of vertices already added.
+  void add_polygon(std::span<const std::uint32_t> corners);
+
+  // The mesh, measured. The builder is empty after that.
+  [[nodiscard]] FacetMesh finish();
+
+ private:
+  // Names numbered in the order of their first use.
+  struct Names {
+    std::string name;
+    std::int64_t index = -1;  // of name; -1: not used yet
+    std::unordered_map<std::string, std::uint32_t> known;
+
+    void begin(std::string_view new_name);
+    std::uint32_t use(std::vector<std::string>& names);
+  };
+
+  FacetMesh mesh_;
+  Names part_;
+  Names material_;
+  std::uint32_t polygons_ = 0;
+  std::vector<std::array<std::uint32_t, 3>> cut_;
+};
+
+}  // namespace lrcs

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <utility>
+
+#include "mesh/mesh_builder.h"
+#include "mesh/read_formats.h"
+#include "mesh/text_scanner.h"
+
+namespace lrcs {
+namespace {
+
+// Faces may come before their vertices, so vertices are read first.
+void read_vertices(TextScanner scanner, MeshBuilder& builder) {
+  do {
+    if (scanner.word() != "v") continue;
+    const double x = scanner.coordinate();
+    const double y = scanner.coordinate();
+    builder.add_position({x, y, scanner.coordinate()});
+  } while (scanner.next_line());
+}
+
+// The vertex of "7", "7/1", "7//3" or "-1/2/3".
+std::uint32_t vertex_index(const TextScanner& scanner, std::string_view word, std::int64_t before, std::int64_t all) {
+  std::int64_t index = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+  if (error != std::errc() || (end != word.data() + word.size() && *end != '/'))
+    scanner.fail_expected("a vertex number", word);
+  if (index == 0) scanner.fail("vertex 0 does not exist, expected numbers from 1");
+  const std::int64_t absolute = index > 0 ? index - 1 : before + index;
+  if (absolute < 0 || absolute >= all)
+    scanner.fail(fmt::format("vertex {} does not exist, the file has {}", index, index > 0 ? all : before));
+  return static_cast<std::uint32_t>(absolute);
+}
+
+class Faces {
+ public:
+  Faces(TextScanner scanner, MeshBuilder& builder)
+      : scanner_(std::move(scanner)), builder_(builder), all_(static_cast<std::int64_t>(builder.position_count())) {}
+
+  void read() {
+    do {
+      read_statement(scanner_.word());
+    } while (scanner_.next_line());
+  }
+
+ private:
+  void read_statement(std::string_view keyword) {
+    if (keyword == "v") ++before_;
+    if (keyword == "f") read_face();
+    if (keyword == "o" || keyword == "g") builder_.begin_part(scanner_.rest_of_line());
+    if (keyword == "usemtl") builder_.begin_material(scanner_.rest_of_line());
+  }
+
+  void read_face() {
+    corners_.clear();
+    std::string_view word = scanner_.word();
+    for (; !word.empty(); word = scanner_.word()) corners_.push_back(vertex_index(scanner_, word, before_, all_));
+    if (corners_.size() < 3) scanner_.fail(fmt::format("expected at least 3 vertices, found {}", corners_.size()));
+    builder_.add_polygon(corners_);
+  }
+
+  TextScanner scanner_;
+  MeshBuilder& builder_;
+  std::vector<std::uint32_t> corners_;
+  std::int64_t before_ = 0;  // vertices above this line
+  std::int64_t all_;
+};
+
+}  // namespace
+
+FacetMesh read_obj(std::string_view content, const std::string& file) {
+  const TextScanner scanner(content, file);
+  MeshBuilder builder;
+  read_vertices(scanner, builder);
+  Faces(scanner, builder).read();
+  return builder.finish();
+}
+
+}  // namespace lrcs

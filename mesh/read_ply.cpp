@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "base/input_error.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/ply_header.h"
+#include "mesh/read_formats.h"
+#include "mesh/text_scanner.h"
+
+namespace lrcs {
+namespace {
+
+// The two sources of rows have the same functions: begin a row, take or pass over its next value, end it.
+class TextRows {
+ public:
+  explicit TextRows(TextScanner scanner) : scanner_(std::move(scanner)) {}
+
+  void begin_row(const PlyElement& element, std::uint64_t row) {
+    do {
+      if (TextScanner(scanner_).word().empty()) continue;
+      return;
+    } while (scanner_.next_line());
+    scanner_.fail(fmt::format("the file ends here, expected row {} of {} of element {}", row + 1, element.count,
+                              shown(element.name)));
+  }
+  double number(PlyType /*type*/) { return scanner_.number(); }
+  std::int64_t integer(PlyType /*type*/) { return scanner_.integer(); }
+  void skip(PlyType /*type*/) {
+    if (const std::string_view word = scanner_.word(); word.empty()) scanner_.fail_expected("a value", word);
+  }
+  void end_row() {
+    if (const std::string_view word = scanner_.word(); !word.empty())
+      scanner_.fail_expected("the end of the row", word);
+    scanner_.next_line();
+  }
+  [[noreturn]] void fail(const std::string& message) const { scanner_.fail(message); }
+
+ private:
+  TextScanner scanner_;
+};
+
+class BinaryRows {
+ public:
+  BinaryRows(std::string_view bytes, bool big_endian, std::string file)
+      : bytes_(bytes), big_endian_(big_endian), file_(std::move(file)) {}
+
+  void begin_row(const PlyElement& element, std::uint64_t row) {
+    element_ = &element;
+    row_ = row;
+  }
+  double number(PlyType type) {
+    if (type == PlyType::float32) return std::bit_cast<float>(static_cast<std::uint32_t>(take(4)));
+    if (type == PlyType::float64) return std::bit_cast<double>(take(8));
+    return static_cast<double>(integer(type));
+  }
+  // domain: an integer type.
+  std::int64_t integer(PlyType type) {
+    const std::uint64_t bits = take(size_in_bytes(type));
+    if (type == PlyType::int8) return static_cast<std::int8_t>(bits);
+    if (type == PlyType::int16) return static_cast<std::int16_t>(bits);
+    if (type == PlyType::int32) return static_cast<std::int32_t>(bits);
+    return static_cast<std::int64_t>(bits);
+  }
+  void skip(PlyType type) { take(size_in_bytes(type)); }
+  void end_row() const {}
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(Place{file_}, fmt::format("row {} of {} of element {}: {}", row_ + 1, element_->count,
+                                               shown(element_->name), message));
+  }
+
+ private:
+  std::uint64_t take(std::size_t size) {
+    if (bytes_.size() < size) fail("the file ends here");
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < size; ++k)
+      bits = bits << 8U | static_cast<unsigned char>(bytes_[big_endian_ ? k : size - 1 - k]);
+    bytes_.remove_prefix(size);
+    return bits;
+  }
+
+  std::string_view bytes_;
+  bool big_endian_;
+  std::string file_;
+  const PlyElement* element_ = nullptr;
+  std::uint64_t row_ = 0;
+};
+
+template <class Rows>
+void skip(Rows& rows, const PlyProperty& property) {
+  if (!property.count_type) return rows.skip(property.type);
+  for (std::int64_t left = rows.integer(*property.count_type); left > 0; --left) rows.skip(property.type);
+}
+
+bool is_scalar(const PlyProperty& property) {
+  return !property.count_type;
+}
+
+template <class Rows>
+void read_vertex(Rows& rows, const PlyElement& element, MeshBuilder& builder) {
+  Vec3 position = Vec3::Zero();
+  for (const PlyProperty& property : element.properties) {
+    const std::size_t axis = std::string_view("xyz").find(property.name);
+    if (property.name.size() != 1 || axis == std::string_view::npos || !is_scalar(property)) {
+      skip(rows, property);
+      continue;
+    }
+    const double value = rows.number(property.type);
+    if (!is_coordinate(value)) rows.fail(fmt::format("expected a coordinate of at most 1e100, found {}", value));
+    position[static_cast<Eigen::Index>(axis)] = value;
+  }
+  builder.add_position(position);
+}
+
+bool is_index_list(const PlyProperty& property) {
+  return property.count_type && is_integer(property.type) &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+template <class Rows>
+void read_corners(Rows& rows, const PlyProperty& property, std::int64_t vertices, std::vector<std::uint32_t>& corners) {
+  const std::int64_t size = rows.integer(*property.count_type);
+  if (size < 3) rows.fail(fmt::format("expected a face of at least 3 vertices, found {}", size));
+  corners.clear();
+  for (std::int64_t k = 0; k < size; ++k) {
+    const std::int64_t index = rows.integer(property.type);
+    if (index < 0 || index >= vertices)
+      rows.fail(fmt::format("vertex {} does not exist, expected 0 to {}", index, vertices - 1));
+    corners.push_back(static_cast<std::uint32_t>(index));
+  }
+}
+
+template <class Rows>
+void read_face(Rows& rows, const PlyElement& element, MeshBuilder& builder, std::vector<std::uint32_t>& corners) {
+  for (const PlyProperty& property : element.properties) {
+    if (is_index_list(property))
+      read_corners(rows, property, static_cast<std::int64_t>(builder.position_count()), corners);
+    else
+      skip(rows, property);
+  }
+  builder.add_polygon(corners);
+}
+
+template <class Rows>
+FacetMesh read_rows(Rows rows, const PlyHeader& header) {
+  MeshBuilder builder;
+  std::vector<std::uint32_t> corners;
+  for (const PlyElement& element : header.elements) {
+    // Rows of no properties take no bytes: there may be any number of them.
+    if (element.properties.empty()) continue;
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+      rows.begin_row(element, row);
+      if (element.name == "vertex") {
+        read_vertex(rows, element, builder);
+      } else if (element.name == "face") {
+        read_face(rows, element, builder, corners);
+      } else {
+        for (const PlyProperty& property : element.properties) skip(rows, property);
+      }
+      rows.end_row();
+    }
+  }
+  return builder.finish();
+}
+
+// The header must describe a surface before any row is read.
+class SurfaceCheck {
+ public:
+  SurfaceCheck(const PlyHeader& header, const std::string& file) : file_(file) {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "vertex") check_vertex(element);
+      if (element.name == "face") check_face(element);
+    }
+    if (faces_ == 0) fail(header.data_line - 1, "the header has no element face, expected one");
+  }
+
+ private:
+  [[noreturn]] void fail(int line, const std::string& message) const { throw InputError(Place{file_, line}, message); }
+
+  void check_vertex(const PlyElement& element) {
+    if (++vertices_ > 1) fail(element.line, "a second element vertex, expected one");
+    for (const std::string_view axis : {"x", "y", "z"}) {
+      int found = 0;
+      for (const PlyProperty& property : element.properties)
+        found += property.name == axis && is_scalar(property) ? 1 : 0;
+      if (found != 1) fail(element.line, fmt::format("element vertex has {} properties {}, expected one", found, axis));
+    }
+  }
+
+  void check_face(const PlyElement& element) {
+    if (vertices_ == 0) fail(element.line, "element face comes before element vertex, expected it after");
+    if (++faces_ > 1) fail(element.line, "a second element face, expected one");
+    int found = 0;
+    for (const PlyProperty& p : element.properties) found += is_index_list(p) ? 1 : 0;
+    if (found != 1)
+      fail(element.line, fmt::format("element face has {} integer lists vertex_indices, expected one", found));
+  }
+
+  const std::string& file_;
+  int vertices_ = 0;
+  int faces_ = 0;
+};
+
+}  // namespace
+
+FacetMesh read_ply(std::string_view content, const std::string& file) {
+  const PlyHeader header = read_ply_header(content, file);
+  SurfaceCheck(header, file);
+  const std::string_view data = content.substr(header.data_begin);
+  if (header.encoding == PlyEncoding::text)
+    return read_rows(TextRows(TextScanner(data, file, header.data_line)), header);
+  return read_rows(BinaryRows(data, header.encoding == PlyEncoding::big_endian, file), header);
+}
+
+}  // namespace lrcs

@@ -1,0 +1,133 @@
+#include "mesh/repair.h"
+
+#include <algorithm>
+#include <functional>
+#include <unordered_set>
+#include <utility>
+
+#include "mesh/closed_shells.h"
+#include "mesh/weld.h"
+
+namespace lrcs {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+std::size_t weld(FacetMesh& mesh) {
+  std::vector<std::uint32_t> place = first_equal(mesh.positions);
+  std::uint32_t kept = 0;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    if (place[k] == k) {
+      mesh.positions[kept] = mesh.positions[k];
+      place[k] = kept++;
+    } else {
+      place[k] = place[place[k]];
+    }
+  }
+  for (Corners& corners : mesh.facets) {
+    for (std::uint32_t& corner : corners) corner = place[corner];
+  }
+  const std::size_t welded = mesh.positions.size() - kept;
+  mesh.positions.resize(kept);
+  return welded;
+}
+
+// Drops the facets of which `drop` is true, and says how many they were.
+std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < mesh.size(); ++k) {
+    if (drop(k)) continue;
+    mesh.facets[kept] = mesh.facets[k];
+    mesh.part[kept] = mesh.part[k];
+    mesh.file_material[kept] = mesh.file_material[k];
+    mesh.source_facet[kept] = mesh.source_facet[k];
+    ++kept;
+  }
+  const std::size_t dropped = mesh.size() - kept;
+  mesh.facets.resize(kept);
+  mesh.part.resize(kept);
+  mesh.file_material.resize(kept);
+  mesh.source_facet.resize(kept);
+  return dropped;
+}
+
+// The same for the same corners in the same winding.
+Corners smallest_first(Corners corners) {
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+struct KeyHash {
+  std::size_t operator()(const std::pair<Corners, std::uint32_t>& key) const {
+    std::uint64_t hash = key.second;
+    for (const std::uint32_t corner : key.first) hash = (hash ^ corner) * 0x9e3779b97f4a7c15U;
+    return hash ^ hash >> 32U;
+  }
+};
+
+bool has_equal_corners(const Corners& c) {
+  return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+}
+
+bool is_degenerate(const FacetMesh& mesh, std::size_t facet) {
+  const auto [a, b, c] = mesh.corners(facet);
+  return facet_cross(a, b, c).isZero(0.0);
+}
+
+// Drops the facets that repeat an earlier one, of the same part or of any.
+void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairCounts& counts) {
+  std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
+  known.reserve(mesh.size());
+  drop_facets(mesh, [&](std::size_t k) {
+    if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part[k] : 0U).second) return false;
+    // A degenerate facet is counted as that already.
+    if (!is_degenerate(mesh, k)) ++counts.duplicate;
+    return true;
+  });
+}
+
+std::size_t count_degenerate(const FacetMesh& mesh) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < mesh.size(); ++k) count += is_degenerate(mesh, k) ? 1 : 0;
+  return count;
+}
+
+std::size_t face_outward(FacetMesh& mesh) {
+  std::size_t flipped = 0;
+  for (const ClosedShell& shell : closed_shells(mesh)) {
+    for (const std::uint32_t facet : shell.reversed) {
+      std::swap(mesh.facets[facet][1], mesh.facets[facet][2]);
+      flipped += is_degenerate(mesh, facet) ? 0 : 1;
+    }
+  }
+  return flipped;
+}
+
+}  // namespace
+
+RepairCounts repair_connectivity(FacetMesh& mesh) {
+  RepairCounts counts;
+  counts.welded_vertices = weld(mesh);
+  counts.degenerate = count_degenerate(mesh);
+  drop_facets(mesh, [&](std::size_t k) { return has_equal_corners(mesh.facets[k]); });
+  drop_duplicate(mesh, true, counts);
+  // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
+  counts.flipped = face_outward(mesh);
+  drop_duplicate(mesh, false, counts);
+  measure_facets(mesh);
+  return counts;
+}
+
+std::size_t drop_degenerate(FacetMesh& mesh) {
+  const std::size_t dropped = drop_facets(mesh, [&](std::size_t k) { return is_degenerate(mesh, k); });
+  measure_facets(mesh);
+  return dropped;
+}
+
+RepairCounts repair(FacetMesh& mesh) {
+  const RepairCounts counts = repair_connectivity(mesh);
+  drop_degenerate(mesh);
+  return counts;
+}
+
+}  // namespace lrcs

@@ -1,0 +1,93 @@
+#include "mesh/self_intersections.h"
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lrcs {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Corners = std::array<std::uint32_t, 3>;
+
+class PairTest {
+ public:
+  explicit PairTest(const FacetMesh& mesh) : mesh_(mesh) {}
+
+  [[nodiscard]] bool intersect(std::uint32_t first, std::uint32_t second) const {
+    Corners a = mesh_.facets[first];
+    Corners b = mesh_.facets[second];
+    switch (shared_to_front(a, b)) {
+      case 0:
+        return CGAL::do_intersect(triangle(a), triangle(b));
+      case 1:
+        // What two facets with one common vertex have in common beyond it reaches the opposite edge of one of them.
+        return CGAL::do_intersect(triangle(a), opposite_edge(b)) || CGAL::do_intersect(triangle(b), opposite_edge(a));
+      case 2:
+        return fold_onto_each_other(a, b);
+      default:
+        return false;
+    }
+  }
+
+ private:
+  // Brings the common vertices to the front of both, in the same order, and counts them.
+  static std::size_t shared_to_front(Corners& a, Corners& b) {
+    std::size_t shared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto* const found = std::find(b.begin() + shared, b.end(), a[k]);
+      if (found == b.end()) continue;
+      std::swap(b[static_cast<std::size_t>(found - b.begin())], b[shared]);
+      std::swap(a[k], a[shared++]);
+    }
+    return shared;
+  }
+
+  [[nodiscard]] bool fold_onto_each_other(const Corners& a, const Corners& b) const {
+    const Point p = point(a[0]);
+    const Point q = point(a[1]);
+    const Point r = point(a[2]);
+    const Point s = point(b[2]);
+    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
+  }
+
+  [[nodiscard]] Point point(std::uint32_t vertex) const {
+    const Vec3& p = mesh_.positions[vertex];
+    return {p.x(), p.y(), p.z()};
+  }
+  [[nodiscard]] Kernel::Triangle_3 triangle(const Corners& c) const { return {point(c[0]), point(c[1]), point(c[2])}; }
+  [[nodiscard]] Kernel::Segment_3 opposite_edge(const Corners& c) const { return {point(c[1]), point(c[2])}; }
+
+  const FacetMesh& mesh_;
+};
+
+std::vector<Box> boxes_of(const FacetMesh& mesh) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.size());
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+    CGAL::Bbox_3 box;
+    for (const Vec3& p : mesh.corners(k)) box += CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+    boxes.emplace_back(box, k);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+std::size_t self_intersections(const FacetMesh& welded) {
+  const PairTest test(welded);
+  std::vector<Box> boxes = boxes_of(welded);
+  std::size_t pairs = 0;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    pairs += test.intersect(a.info(), b.info()) ? 1 : 0;
+  });
+  return pairs;
+}
+
+}  // namespace lrcs

@@ -1,0 +1,7 @@
+#!/bin/sh
+# Configures and builds into build/: build.sh [CMake options]. Release unless told otherwise.
+set -eu
+cd "$(dirname "$0")/.."
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >build.log 2>&1 || { cat build.log >&2; rm -f build.log; exit 1; }
+rm -f build.log
+cmake --build build -j"$(nproc)"

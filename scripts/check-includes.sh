@@ -1,0 +1,16 @@
+#!/bin/sh
+# Which folder may include which (docs/architecture.md). Exit status 1 and a line for each include that goes the wrong way.
+set -eu
+cd "$(dirname "$0")/.."
+status=0
+allow() { # folder, folders it may include
+  wrong=$(grep -nE '^#include "(base|brdf|mesh|lrcs|view|cli)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
+  [ -z "$wrong" ] || { echo "$wrong"; status=1; }
+}
+allow base 'base'
+allow brdf 'base|brdf'
+allow mesh 'base|mesh'
+allow lrcs 'base|brdf|mesh|lrcs'
+allow view 'base|mesh|view'
+allow cli 'base|brdf|mesh|lrcs|view|cli'
+exit $status

@@ -1,0 +1,27 @@
+#!/bin/sh
+# Installs what lrcs needs to be built, run and tested on Debian 12: install-deps.sh [--checks]
+# --checks: also what .ci/run needs for the style checks. As root or through sudo. Silent where nothing is missing.
+set -eu
+packages="g++ cmake ninja-build ccache
+  libeigen3-dev libcgal-dev libopenmesh-dev libtinyobjloader-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
+  libcli11-dev nlohmann-json3-dev libssl-dev libgmp-dev libmpfr-dev libgtest-dev libgmock-dev
+  xvfb libgl1-mesa-dri"
+[ "${1-}" = --checks ] && packages="$packages clang-format-14 clang-tidy-14"
+
+missing=
+for p in $packages; do
+  [ "$(dpkg-query -W -f='${Status}' "$p" 2>/dev/null)" = "install ok installed" ] || missing="$missing $p"
+done
+[ -n "$missing" ] || exit 0
+
+as_root=
+if [ "$(id -u)" != 0 ]; then
+  command -v sudo >/dev/null || { echo "install-deps.sh: run as root, or install sudo; missing:$missing" >&2; exit 1; }
+  as_root="sudo -n"
+  $as_root true 2>/dev/null || as_root=sudo
+fi
+echo "installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq
+# shellcheck disable=SC2086  # a list of words
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null

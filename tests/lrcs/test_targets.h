@@ -1,0 +1,129 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "base/vec3.h"
+#include "brdf/library.h"
+#include "lrcs/cross_section.h"
+#include "mesh/facet_mesh.h"
+
+namespace lrcs {
+
+inline std::uint32_t add_vertex(FacetMesh& mesh, const Vec3& p) {
+  mesh.positions.push_back(p);
+  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+inline void add_facet(FacetMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  mesh.facets.push_back({a, b, c});
+  mesh.part.push_back(0);
+  mesh.file_material.push_back(0);
+  mesh.source_facet.push_back(static_cast<std::uint32_t>(mesh.facets.size() - 1));
+  mesh.part_names = {""};
+  mesh.file_material_names = {""};
+}
+
+inline void add_triangle(FacetMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto first = add_vertex(mesh, a);
+  add_facet(mesh, first, add_vertex(mesh, b), add_vertex(mesh, c));
+}
+
+// A parallelogram p, p + u, p + u + v, p + v as two facets; the front is along u x v.
+inline void add_plate(FacetMesh& mesh, const Vec3& p, const Vec3& u, const Vec3& v) {
+  const auto a = add_vertex(mesh, p), b = add_vertex(mesh, p + u), c = add_vertex(mesh, p + u + v),
+             d = add_vertex(mesh, p + v);
+  add_facet(mesh, a, b, c);
+  add_facet(mesh, a, c, d);
+}
+
+inline void add_box(FacetMesh& mesh, const Vec3& low, const Vec3& high) {
+  const Vec3 s = high - low;
+  const Vec3 x(s.x(), 0, 0), y(0, s.y(), 0), z(0, 0, s.z());
+  add_plate(mesh, low, y, x);
+  add_plate(mesh, low + z, x, y);
+  add_plate(mesh, low, x, z);
+  add_plate(mesh, low + y, z, x);
+  add_plate(mesh, low, z, y);
+  add_plate(mesh, low + x, y, z);
+}
+
+inline void append(FacetMesh& mesh, const FacetMesh& other, const Vec3& shift = Vec3::Zero()) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec3& p : other.positions) mesh.positions.push_back(p + shift);
+  for (const auto& f : other.facets) add_facet(mesh, first + f[0], first + f[1], first + f[2]);
+}
+
+// A surface of revolution about z: radius and height along the profile, from the bottom up; the front is outward.
+// Points on the axis make fans.
+inline FacetMesh revolved(const std::vector<std::pair<double, double>>& profile, std::uint32_t sectors) {
+  FacetMesh mesh;
+  for (const auto& [r, z] : profile)
+    for (std::uint32_t k = 0; k < sectors; ++k) {
+      const double phi = 2.0 * std::numbers::pi * k / sectors;
+      add_vertex(mesh, {r * std::cos(phi), r * std::sin(phi), z});
+    }
+  for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring)
+    for (std::uint32_t k = 0; k < sectors; ++k) {
+      const std::uint32_t a = ring * sectors + k, b = ring * sectors + (k + 1) % sectors;
+      if (profile[ring].first > 0.0) add_facet(mesh, a, b, profile[ring + 1].first > 0.0 ? b + sectors : a + sectors);
+      if (profile[ring + 1].first > 0.0) add_facet(mesh, a, b + sectors, a + sectors);
+    }
+  return mesh;
+}
+
+inline FacetMesh sphere(double radius, std::uint32_t rings) {
+  std::vector<std::pair<double, double>> profile;
+  for (std::uint32_t k = 0; k <= rings; ++k) {
+    const double t = std::numbers::pi * k / rings;
+    const bool pole = k == 0 || k == rings;
+    profile.emplace_back(pole ? 0.0 : radius * std::sin(t), -radius * std::cos(t));
+  }
+  return revolved(profile, 2 * rings);
+}
+
+// Facets anywhere: open, interpenetrating, some sharing vertices.
+inline FacetMesh random_soup(std::mt19937_64& random, int facets) {
+  std::uniform_real_distribution<double> at(-1.0, 1.0), size(-0.5, 0.5);
+  FacetMesh mesh;
+  const auto vec = [&](auto& from) { return Vec3(from(random), from(random), from(random)); };
+  for (int k = 0; k < facets; ++k) {
+    const Vec3 p = vec(at);
+    if (k % 3 == 0 || mesh.positions.empty()) {
+      add_triangle(mesh, p, p + vec(size), p + vec(size));
+    } else {
+      std::uniform_int_distribution<std::size_t> any(0, mesh.positions.size() - 1);
+      const Vec3 q = mesh.positions[any(random)];
+      add_triangle(mesh, q, q + vec(size), q + vec(size));
+    }
+  }
+  return mesh;
+}
+
+inline Vec3 random_direction(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  return Vec3(normal(random), normal(random), normal(random)).normalized();
+}
+
+inline Target target_of(FacetMesh mesh, const Brdf& brdf) {
+  Target target;
+  target.mesh = std::move(mesh);
+  measure_facets(target.mesh);
+  target.materials = {{"m", brdf, 0.0, ""}};
+  target.material.assign(target.mesh.size(), 0);
+  return target;
+}
+
+inline Brdf lambert(double reflectance) {
+  return Lambert(reflectance);
+}
+inline Brdf library(const char* name) {
+  return find_in_library(name)->brdf;
+}
+
+inline CrossSection section_of(const Target& target, const Vec3& di, const Vec3& dr) {
+  return cross_section(target, Visibility(target.mesh), di, dr);
+}
+
+}  // namespace lrcs

@@ -1,0 +1,168 @@
+#include "mesh/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "made_meshes.h"
+#include "mesh/info_text.h"
+
+namespace lrcs {
+namespace {
+
+FacetMesh hollow_box() {
+  return joined(box({0, 0, 0}, {3, 3, 3}), reversed(box({1, 1, 1}, {2, 2, 2})));
+}
+
+TEST(Diagnosis, MeasuresABox) {
+  const Diagnosis d = diagnose(box({1, 2, 3}, {2, 4, 6}));
+  EXPECT_EQ(d.facets, 12U);
+  EXPECT_EQ(d.vertices, 8U);
+  EXPECT_DOUBLE_EQ(d.area, 22.0);
+  EXPECT_DOUBLE_EQ(d.volume, 6.0);
+  EXPECT_EQ(d.box[0], Vec3(1, 2, 3));
+  EXPECT_EQ(d.box[1], Vec3(2, 4, 6));
+  EXPECT_TRUE(d.closed);
+  EXPECT_EQ(d.degenerate + d.duplicate + d.non_manifold_edges + d.boundary_edges + d.flipped + d.self_intersections,
+            0U);
+  ASSERT_EQ(d.parts.size(), 1U);
+  EXPECT_TRUE(d.parts[0].closed);
+  EXPECT_DOUBLE_EQ(*d.parts[0].volume, 6.0);
+}
+
+TEST(Diagnosis, TakesACavityOffTheVolume) {
+  const Diagnosis d = diagnose(hollow_box());
+  EXPECT_NEAR(d.volume, 26.0, 1e-13);
+  EXPECT_EQ(d.flipped, 0U);
+  EXPECT_TRUE(d.closed);
+}
+
+TEST(Diagnosis, GivesTheVolumeOfAnInwardBoxAsPositiveAndCountsItsFacetsAsFlipped) {
+  const Diagnosis d = diagnose(reversed(unit_box()));
+  EXPECT_DOUBLE_EQ(d.volume, 1.0);
+  EXPECT_EQ(d.flipped, 12U);
+}
+
+TEST(Diagnosis, CountsTheBoundaryOfAnOpenBox) {
+  FacetMesh open = unit_box();
+  open.facets.resize(10);
+  const Diagnosis d = diagnose(mesh_of(open.positions, open.facets));
+  EXPECT_FALSE(d.closed);
+  EXPECT_EQ(d.boundary_edges, 4U);
+  EXPECT_EQ(d.volume, 0.0);
+  EXPECT_FALSE(d.parts[0].volume.has_value());
+}
+
+TEST(Diagnosis, SaysOfAMoebiusBandThatItIsOpenAndNotFlipped) {
+  const Diagnosis d = diagnose(moebius(20));
+  EXPECT_FALSE(d.closed);
+  EXPECT_EQ(d.boundary_edges, 40U);
+  EXPECT_EQ(d.non_manifold_edges, 0U);
+  EXPECT_EQ(d.flipped, 0U);
+}
+
+TEST(Diagnosis, CountsTheEdgeOfThreeFins) {
+  const Diagnosis d =
+      diagnose(mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
+  EXPECT_EQ(d.non_manifold_edges, 1U);
+  EXPECT_EQ(d.boundary_edges, 6U);
+  EXPECT_FALSE(d.closed);
+}
+
+TEST(Diagnosis, FindsTwoBoxesThatTouchFaceToFaceClosedPartByPart) {
+  const Diagnosis d = diagnose(joined(unit_box(), box({1, 0, 0}, {2, 1, 1}), true));
+  EXPECT_TRUE(d.closed);
+  EXPECT_EQ(d.non_manifold_edges, 4U + 1U);  // around the common side, and its diagonal
+  EXPECT_EQ(d.vertices, 12U);
+  EXPECT_NEAR(d.volume, 2.0, 1e-14);
+  ASSERT_EQ(d.parts.size(), 2U);
+  EXPECT_TRUE(d.parts[0].closed && d.parts[1].closed);
+}
+
+TEST(Diagnosis, CountsDegenerateAndDuplicateFacets) {
+  const Diagnosis d = diagnose(
+      mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {0, 0, 0}}, {{0, 1, 2}, {1, 2, 4}, {0, 1, 3}, {0, 4, 1}}));
+  EXPECT_EQ(d.facets, 4U);
+  EXPECT_EQ(d.degenerate, 2U);
+  EXPECT_EQ(d.duplicate, 1U);
+  EXPECT_EQ(d.vertices, 4U);
+}
+
+TEST(Diagnosis, ManagesASingleFacetAndAFileOfDegenerateOnes) {
+  const Diagnosis single = diagnose(mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  EXPECT_EQ(single.boundary_edges, 3U);
+  EXPECT_EQ(single.area, 0.5);
+  const Diagnosis none = diagnose(mesh_of({{0, 0, 0}, {1, 1, 1}}, {{0, 1, 1}, {0, 0, 0}}));
+  EXPECT_EQ(none.degenerate, 2U);
+  EXPECT_FALSE(none.closed);
+  EXPECT_FALSE(none.parts[0].closed);
+  EXPECT_EQ(none.area, 0.0);
+}
+
+TEST(Diagnosis, IsTheSameForAnyOrderOfTheFacets) {
+  FacetMesh mesh = joined(joined(hollow_box(), reversed(box({5, 5, 5}, {6, 6, 6}))), moebius(14));
+  const Diagnosis before = diagnose(mesh);
+  std::reverse(mesh.facets.begin(), mesh.facets.end());
+  const Diagnosis after = diagnose(mesh);
+  EXPECT_EQ(after.flipped, before.flipped);
+  EXPECT_EQ(after.boundary_edges, before.boundary_edges);
+  EXPECT_NEAR(after.volume, before.volume, 1e-13);
+}
+
+TEST(InfoJson, HasTheKeysOfTheInterface) {
+  FacetMesh mesh = unit_box();
+  mesh.part_names = {"hull"};
+  mesh.file_material_names = {"paint"};
+  const auto json = nlohmann::ordered_json::parse(info_json(diagnose(mesh), "mm"));
+  EXPECT_EQ(
+      json.dump(),
+      R"({"facets":12,"vertices":8,"area_m2":6.0,"volume_m3":1.0,"box_m":[[0.0,0.0,0.0],[1.0,1.0,1.0]],"closed":true,)"
+      R"("unit":"mm","diagnosis":{"degenerate":0,"duplicate":0,"non_manifold_edges":0,"boundary_edges":0,"flipped":0,)"
+      R"("self_intersections":0},"parts":[{"name":"hull","facets":12,"area_m2":6.0,"volume_m3":1.0,"closed":true,)"
+      R"("material":"paint","colour":null}]})");
+}
+
+TEST(InfoJson, HasNullForWhatIsNotKnown) {
+  FacetMesh open = unit_box();
+  open.facets.resize(10);
+  const auto json = nlohmann::json::parse(info_json(diagnose(mesh_of(open.positions, open.facets)), ""));
+  EXPECT_TRUE(json["unit"].is_null());
+  EXPECT_TRUE(json["area_m2"].is_null());
+  EXPECT_TRUE(json["box_m"].is_null());
+  EXPECT_TRUE(json["parts"][0]["volume_m3"].is_null());
+  EXPECT_TRUE(json["parts"][0]["material"].is_null());
+}
+
+TEST(InfoJson, ReplacesWhatIsNotUtf8InAName) {
+  FacetMesh mesh = unit_box();
+  mesh.part_names = {"Fl\xfcgel"};
+  EXPECT_EQ(nlohmann::json::parse(info_json(diagnose(mesh), "m"))["parts"][0]["name"], "Fl\xef\xbf\xbdgel");
+}
+
+TEST(InfoText, TellsAPersonWhatWasRead) {
+  FacetMesh mesh = joined(unit_box(), mesh_of({{4, 0, 0}, {5, 0, 0}, {4, 1, 0}}, {{0, 1, 2}}), true);
+  mesh.part_names = {"h\xc3\xbclle", "sail"};
+  EXPECT_EQ(info_text(diagnose(mesh), "box.stl", "mm"),
+            "box.stl\n"
+            "unit                  mm\n"
+            "parts                 2\n"
+            "facets                13\n"
+            "vertices              11\n"
+            "area                  6.5 m^2\n"
+            "volume                1 m^3 (closed shells)\n"
+            "box                   5 x 1 x 1 m, (0, 0, 0) to (5, 1, 1)\n"
+            "closed                no\n"
+            "degenerate            0 facets\n"
+            "duplicate             0 facets\n"
+            "non-manifold          0 edges\n"
+            "boundary              3 edges\n"
+            "flipped               0 facets of closed shells\n"
+            "self-intersecting     0 pairs of facets\n"
+            "\n"
+            "part      facets      area [m^2]    volume [m^3]  closed  material\n"
+            "h\xc3\xbclle         12               6               1  yes     -\n"
+            "sail           1             0.5               -  no      -\n");
+}
+
+}  // namespace
+}  // namespace lrcs

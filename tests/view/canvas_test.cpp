@@ -1,0 +1,117 @@
+#include "view/canvas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "view/dashes.h"
+
+namespace lrcs {
+namespace {
+
+// Ink on a white sheet, in pixels fully black.
+double black_area(const Canvas& canvas) {
+  double area = 0.0;
+  const Picture picture = canvas.picture();
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) area += 1.0 - picture.rgb[i] / 255.0;
+  return area;
+}
+
+TEST(Canvas, FillsExactlyTheBoxBetweenPixels) {
+  Canvas canvas(40, 30);
+  canvas.fill({{3.25, 4.5}, {10.75, 9.25}}, black);
+  EXPECT_NEAR(black_area(canvas), 7.5 * 4.75, 0.1);
+}
+
+TEST(Canvas, InksALineOverItsLengthAndWidth) {
+  for (const Point to : {Point{180.0, 20.0}, Point{180.0, 90.0}, Point{110.0, 110.0}}) {
+    Canvas canvas(200, 130);
+    canvas.line({{20.0, 20.0}, to}, {black, 5.0});
+    const double length = std::hypot(to.x - 20.0, to.y - 20.0);
+    const double ends = std::numbers::pi * 2.5 * 2.5;
+    EXPECT_NEAR(black_area(canvas), 5.0 * length + ends, 0.02 * 5.0 * length);
+  }
+}
+
+TEST(Canvas, InksALineNoTwiceWhereItsPartsMeet) {
+  Canvas whole(200, 60);
+  Canvas parts(200, 60);
+  whole.line({{20.0, 20.0}, {180.0, 40.0}}, {black, 3.0});
+  std::vector<Point> points;
+  for (int i = 0; i <= 160; ++i) points.push_back({20.0 + i, 20.0 + i / 8.0});
+  parts.line(points, {black, 3.0});
+  EXPECT_NEAR(black_area(parts), black_area(whole), 0.01 * black_area(whole));
+}
+
+TEST(Canvas, InksADiscOverItsArea) {
+  Canvas canvas(60, 60);
+  canvas.disc({30.3, 29.8}, 20.0, black);
+  EXPECT_NEAR(black_area(canvas), std::numbers::pi * 400.0, 5.0);
+}
+
+TEST(Canvas, DrawsNothingOutsideTheClipBox) {
+  Canvas canvas(60, 60);
+  canvas.clip({{10.0, 10.0}, {20.0, 20.0}});
+  canvas.fill({{-100.0, -100.0}, {200.0, 200.0}}, black);
+  canvas.line({{-1e6, 15.0}, {1e6, 15.0}}, {black, 3.0});
+  EXPECT_NEAR(black_area(canvas), 100.0, 0.01);
+}
+
+TEST(Canvas, TurnsTextByAQuarter) {
+  Canvas flat(300, 300);
+  Canvas upward(300, 300);
+  flat.text({20.0, 40.0}, "LRCS [dBsm]", {.font = {30, false}, .colour = black});
+  upward.text({40.0, 20.0}, "LRCS [dBsm]", {.font = {30, false}, .colour = black, .upward = true});
+  EXPECT_GT(black_area(flat), 500.0);
+  EXPECT_NEAR(black_area(upward), black_area(flat), 1e-6 * black_area(flat));
+}
+
+TEST(Canvas, RefusesASheetWithoutPixels) {
+  EXPECT_THROW(Canvas(0, 10), std::invalid_argument);
+  EXPECT_THROW(Canvas(10, -1), std::invalid_argument);
+}
+
+TEST(TextBitmap, HasTheSignsThatPlotsNeed) {
+  for (const std::string sign : {"−", "°", "²", "≤", "[", "(", "µ", "é"}) {
+    const TextBitmap bitmap = text_bitmap(sign, {36, false});
+    int inked = 0;
+    for (const std::uint8_t coverage : bitmap.coverage) inked += coverage > 100 ? 1 : 0;
+    EXPECT_GT(inked, 10) << sign;
+  }
+}
+
+TEST(Fitting, MakesTextNoWiderThanItsRoom) {
+  const std::string text = "a title that is too long for its picture";
+  const Font fitted = fitting(text, {40, true}, 600.0);
+  EXPECT_LE(text_size(text, fitted).width, 600.0);
+  EXPECT_LT(fitted.size, 40);
+  EXPECT_EQ(fitting("short", {40, true}, 600.0).size, 40);
+}
+
+double length_of(const std::vector<std::vector<Point>>& strokes) {
+  double length = 0.0;
+  for (const auto& stroke : strokes) {
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      length += std::hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
+    }
+  }
+  return length;
+}
+
+TEST(Dashes, InkTheirShareOfTheLineAroundCorners) {
+  const std::vector<Point> line{{0.0, 0.0}, {70.0, 0.0}, {70.0, 50.0}};
+  const auto strokes = dashes(line, {10.0, 5.0});
+  EXPECT_EQ(strokes.size(), 8U);
+  EXPECT_NEAR(length_of(strokes), 80.0, 1e-9);
+  EXPECT_NEAR(length_of(dashes(line, {})), 120.0, 1e-9);
+}
+
+TEST(Dashes, RefuseAPatternThatWouldNeverEnd) {
+  EXPECT_THROW((void)dashes({{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW((void)dashes({{0.0, 0.0}, {1.0, 0.0}}, {3.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lrcs

@@ -1,0 +1,97 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "view/colour.h"
+#include "view/png.h"
+#include "view/text_bitmap.h"
+
+namespace lrcs {
+
+// A place on a canvas [pixel]: x right, y up, from the lower left corner of the lower left pixel.
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+struct Box {
+  Point low;
+  Point high;
+};
+
+// How a line is drawn. `dash`: lengths of ink and of gap, in turn [pixel]; empty: solid.
+struct Pen {
+  Colour colour = ink;
+  double width = 1.0;  // [pixel]
+  std::vector<double> dash = {};
+};
+
+// Which point of the text lies on the anchor. y: `middle` is the middle of a capital letter, `baseline` the line that
+// letters stand on.
+enum class AlignX { left, centre, right };
+enum class AlignY { top, middle, baseline };
+
+struct TextStyle {
+  Font font = {36, false};
+  Colour colour = ink;
+  AlignX x = AlignX::left;
+  AlignY y = AlignY::baseline;
+  bool upward = false;  // turned by 90 degrees, to be read from below upward; x and y stay those of the text itself
+  double halo = 0.0;    // opacity of the white ground behind the text [1]
+};
+
+// A white sheet on which plots are drawn in plain C++: no display, no graphics driver, no threads.
+// value: every shape covers a pixel by the share of it that lies inside (smooth edges); later shapes lie over earlier.
+// domain: shapes may lie anywhere; what is outside the sheet (or the clip box) is not drawn.
+// laws: the same calls give the same picture, on any machine with the same VTK and FreeType.
+// check: tests/view/canvas_test.cpp measures areas of ink.
+class Canvas {
+ public:
+  Canvas(int width, int height);  // throws std::invalid_argument unless both are positive
+  explicit Canvas(const Picture& ground);
+
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+
+  void clip(const Box& box);
+  void no_clip();
+
+  void fill(const Box& box, const Colour& colour, double opacity = 1.0);
+  // Through the points in order, with round joins and ends. error: 2 % of the inked area.
+  void line(const std::vector<Point>& points, const Pen& pen);
+  void frame(const Box& box, const Pen& pen);
+  void circle(const Point& centre, double radius, const Pen& pen);
+  void disc(const Point& centre, double radius, const Colour& colour);
+  void text(const Point& anchor, const std::string& text, const TextStyle& style);
+
+  [[nodiscard]] Picture picture() const;
+
+ private:
+  struct Pixels {  // columns and rows [low, high)
+    int left, bottom, right, top;
+  };
+  [[nodiscard]] Pixels pixels_of(const Box& box) const;
+  [[nodiscard]] std::size_t index(int column, int row) const;
+  void cover_segment(const Point& from, const Point& to, double width);
+  void ink_covered(const Pixels& area, const Colour& colour);
+  void blend(int column, int row, const Colour& colour, double opacity);
+
+  int width_;
+  int height_;
+  Box clip_;
+  std::vector<float> rgb_;       // 0..255
+  std::vector<float> coverage_;  // of the line being drawn; zero between two calls
+};
+
+// Room that a text takes: width, and height from the baseline to the top of a capital [pixel].
+struct TextSize {
+  double width = 0.0;
+  double height = 0.0;
+};
+[[nodiscard]] TextSize text_size(const std::string& text, const Font& font);
+
+// The font, made smaller until the text is no wider than `room` [pixel]; not below half its size.
+[[nodiscard]] Font fitting(const std::string& text, Font font, double room);
+
+}  // namespace lrcs

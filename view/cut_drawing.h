@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "view/canvas.h"
+#include "view/decibel_cut.h"
+#include "view/plot_header.h"
+
+namespace lrcs {
+
+// What Cartesian and polar cuts share: cuts made ready, the range they span, the header that says so.
+struct CutDrawing {
+  std::vector<std::vector<CutPoint>> cuts;  // one a curve
+  DecibelRange range;
+  PlotHeader header;
+};
+
+// domain: as draw_sweep_plot. `least_span`: of the dBsm axis [dB].
+[[nodiscard]] CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span);
+
+// Where a direction lies on the canvas.
+using CutMap = std::function<Point(const CutPoint&)>;
+
+// Draws all curves, first on top, with dots where directions are few. `straight`: the map takes straight lines to
+// straight lines; else lines are bent in steps of a degree.
+void draw_curves(Canvas& canvas, const CutDrawing& drawing, const CutMap& map, bool straight);
+
+// Ticks from the floor up where the curves lie below it.
+void draw_floor_ticks(Canvas& canvas, const CutDrawing& drawing, const CutMap& map);
+
+}  // namespace lrcs

@@ -1,0 +1,97 @@
+#include "view/facets_vtp.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedIntArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <stdexcept>
+
+#include "base/whole_file.h"
+#include "view/vtk_errors.h"
+
+namespace lrcs {
+namespace {
+
+void require_one_a_facet(std::size_t found, const FacetMesh& mesh, const char* name) {
+  if (found != mesh.size()) throw std::invalid_argument(std::string(name) + ": one entry a facet is needed");
+}
+
+void require_valid(const FacetMesh& mesh, const FacetResult& result) {
+  require_one_a_facet(mesh.part.size(), mesh, "part");
+  require_one_a_facet(mesh.source_facet.size(), mesh, "source_facet");
+  require_one_a_facet(result.material.size(), mesh, "material");
+  require_one_a_facet(result.seen_fraction.size(), mesh, "seen_fraction");
+  require_one_a_facet(result.sigma_m2.size(), mesh, "sigma_m2");
+}
+
+vtkSmartPointer<vtkPoints> points_of(const FacetMesh& mesh) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (const Vec3& p : mesh.positions) points->InsertNextPoint(p.data());
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> triangles_of(const FacetMesh& mesh) {
+  auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& facet : mesh.facets) triangles->InsertNextCell({facet[0], facet[1], facet[2]});
+  return triangles;
+}
+
+template <class Array, class Values>
+vtkSmartPointer<Array> array_of(const char* name, const Values& values) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  for (const auto& value : values) array->InsertNextValue(value);
+  return array;
+}
+
+void add_cell_arrays(vtkCellData* cells, const FacetMesh& mesh, const FacetResult& result) {
+  cells->AddArray(array_of<vtkUnsignedIntArray>("part", mesh.part));
+  cells->AddArray(array_of<vtkUnsignedIntArray>("material", result.material));
+  cells->AddArray(array_of<vtkUnsignedIntArray>("source_facet", mesh.source_facet));
+  cells->AddArray(array_of<vtkDoubleArray>("seen_fraction", result.seen_fraction));
+  cells->AddArray(array_of<vtkDoubleArray>("sigma_m2", result.sigma_m2));
+  cells->SetActiveScalars("sigma_m2");
+}
+
+void add_field_arrays(vtkFieldData* fields, const FacetMesh& mesh, const FacetResult& result) {
+  using Single = std::vector<double>;
+  fields->AddArray(array_of<vtkStringArray>("part_names", mesh.part_names));
+  fields->AddArray(array_of<vtkStringArray>("material_names", result.material_names));
+  fields->AddArray(array_of<vtkDoubleArray>("transmitter_azimuth_deg", Single{result.transmitter_azimuth_deg}));
+  fields->AddArray(array_of<vtkDoubleArray>("transmitter_elevation_deg", Single{result.transmitter_elevation_deg}));
+  fields->AddArray(array_of<vtkDoubleArray>("receiver_azimuth_deg", Single{result.receiver_azimuth_deg}));
+  fields->AddArray(array_of<vtkDoubleArray>("receiver_elevation_deg", Single{result.receiver_elevation_deg}));
+  fields->AddArray(array_of<vtkDoubleArray>("sigma_total_m2", Single{result.sigma_total_m2}));
+}
+
+}  // namespace
+
+void write_facets_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh, const FacetResult& result) {
+  require_valid(mesh, result);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points_of(mesh));
+  data->SetPolys(triangles_of(mesh));
+  add_cell_arrays(data->GetCellData(), mesh, result);
+  add_field_arrays(data->GetFieldData(), mesh, result);
+
+  const VtkErrors errors;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->WriteToOutputStringOn();
+  const bool encoded = writer->Write() == 1;
+  if (!encoded || errors.any()) throw std::runtime_error(vtp.string() + ": cannot be written: " + errors.first());
+  write_whole_file(vtp, writer->GetOutputString());
+}
+
+}  // namespace lrcs

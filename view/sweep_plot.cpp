@@ -1,0 +1,70 @@
+#include "view/sweep_plot.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "view/cartesian_frame.h"
+#include "view/cut_drawing.h"
+#include "view/ticks.h"
+
+namespace lrcs {
+namespace {
+
+double largest_angle(const std::vector<Curve>& curves) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Curve& curve : curves) {
+    for (const double angle : curve.angle_deg) largest = std::max(largest, angle);
+  }
+  return largest;
+}
+
+// Angles that got a turn added are shown as the user knows them: 370 deg as 10.
+double as_given(double angle_deg, double largest_given, double first_deg) {
+  const bool turned = angle_deg >= 360.0 && angle_deg > largest_given && first_deg > 0.0;
+  return turned ? angle_deg - 360.0 : angle_deg;
+}
+
+Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, const std::string& title) {
+  constexpr double room_about_one_angle = 5.0;  // [deg]
+  Axis axis{title, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}, false};
+  for (const auto& cut : drawing.cuts) {
+    for (const CutPoint& point : cut) {
+      axis.low = std::min(axis.low, point.angle_deg);
+      axis.high = std::max(axis.high, point.angle_deg);
+    }
+  }
+  if (axis.low > axis.high) axis.low = axis.high = 0.0;
+  if (axis.low == axis.high) {
+    axis.low -= room_about_one_angle;
+    axis.high += room_about_one_angle;
+  }
+  const double step = angle_step(axis.high - axis.low, 12);
+  axis.marks = multiples(axis.low, axis.high, step);
+  for (const double mark : axis.marks) {
+    axis.labels.push_back(tick_label(as_given(mark, largest_angle(curves), axis.low), step));
+  }
+  return axis;
+}
+
+Axis decibel_axis(const DecibelRange& range) {
+  Axis axis{"LRCS [dBsm]", range.low, range.high, multiples(range.low, range.high, range.step), {}, false};
+  for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, range.step));
+  return axis;
+}
+
+}  // namespace
+
+void draw_sweep_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text) {
+  constexpr double least_span = 10.0;  // [dB]
+  const CutDrawing drawing = cut_drawing(curves, text, least_span);
+  Canvas canvas(1600, 1000);
+  const double top = draw_header(canvas, drawing.header);
+  const CartesianFrame frame =
+      draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));
+  const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
+  draw_floor_ticks(canvas, drawing, map);
+  draw_curves(canvas, drawing, map, true);
+  write_png(png, canvas.picture());
+}
+
+}  // namespace lrcs
