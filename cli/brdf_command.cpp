@@ -9,7 +9,7 @@
 #include "base/input_error.h"
 #include "brdf/brdf_table.h"
 #include "cli/commands.h"
-#include "cli/scene_from_flags.h"
+#include "cli/flag_words.h"
 #include "view/brdf_plot.h"
 
 namespace lrcs {
@@ -18,14 +18,6 @@ namespace {
 struct Options {
   std::string material, theta_i = "0,30,60", step = "10", png;
 };
-
-std::vector<double> incidence_angles(const std::string& words) {
-  auto angles = angles_from_words(words, "--theta-i", false);
-  for (const double angle : angles)
-    if (!(angle >= 0.0 && angle < 90.0))
-      throw InputError(fmt::format("--theta-i: expected angles of 0 to below 90 deg, found {}", angle));
-  return angles;
-}
 
 // f_r in the plane of incidence, as in the table: a negative theta_r is the specular side.
 BrdfCurve curve_of(const Brdf& brdf, double theta_i_deg) {
@@ -53,13 +45,14 @@ std::string table_of(const Material& material, const std::vector<double>& theta_
 
 void print_table(const Options& options, bool quiet) {
   const Material material = material_from_argument(options.material);
-  const auto theta_i_deg = incidence_angles(options.theta_i);
-  fmt::print("{}", table_of(material, theta_i_deg, options.step));
+  const auto theta_i_deg = angles_from_words(options.theta_i, "--theta-i", incidence_domain);
+  const std::string table = table_of(material, theta_i_deg, options.step);
   if (!options.png.empty()) {
     std::vector<BrdfCurve> curves;
     for (const double angle : theta_i_deg) curves.push_back(curve_of(material.brdf, angle));
     draw_brdf_plot(options.png, curves, fmt::format("BRDF of {} in the plane of incidence", material.name));
   }
+  fmt::print("{}", table);
   if (!quiet)
     for (const auto& warning : brdf_warnings(material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -56,6 +56,15 @@ void check_verb(const CLI::App& app, const std::vector<std::string>& arguments) 
                                did_you_mean(arguments.front(), verbs), fmt::join(verbs, ", ")));
 }
 
+std::string value_complaint(const CLI::App& verb, const CLI::ParseError& wrong) {
+  const std::string message = wrong.what();
+  if (wrong.get_name() != "ArgumentMismatch") return message;
+  for (const CLI::Option* option : verb.get_options())
+    if (option->count() > 1)
+      return fmt::format("{}: expected once, found {} times", option->get_name(), option->count());
+  return fmt::format("{}: its value is missing", message.substr(0, message.find(':')));
+}
+
 // CLI11's own message does not name the nearest flag, and a missing value hides an unknown flag.
 std::string flag_complaint(const CLI::App& app, const CLI::ParseError& wrong) {
   const auto used = app.get_subcommands();
@@ -71,8 +80,9 @@ std::string flag_complaint(const CLI::App& app, const CLI::ParseError& wrong) {
     return fmt::format("unknown flag '{}'{} (see {})", name, did_you_mean(name, flags), help);
   }
   if (!left_over.empty()) return fmt::format("unexpected argument '{}' (see {})", left_over.front(), help);
-  if (used.empty()) return fmt::format("a verb is missing: expected one of {} (see {})", fmt::join(verb_names(app), ", "), help);
-  return fmt::format("{} (see {})", wrong.what(), help);
+  if (used.empty())
+    return fmt::format("a verb is missing: expected one of {} (see {})", fmt::join(verb_names(app), ", "), help);
+  return fmt::format("{} (see {})", value_complaint(verb, wrong), help);
 }
 
 // One line, whatever a file's name or the user's words hold.

@@ -3,69 +3,54 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <filesystem>
 
 #include "base/digest.h"
 #include "base/length.h"
+#include "base/nearest_name.h"
 #include "brdf/material_yaml.h"
+#include "cli/flag_words.h"
 #include "lrcs/sweep_yaml.h"
 
 namespace lrcs {
 namespace {
 
-std::vector<std::string> split(const std::string& words, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream in(words);
-  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
-  return parts;
-}
-
-double number_from(const std::string& word, const std::string& flag) {
-  double value = 0.0;
-  const char* end = word.data() + word.size();
-  const char* begin = word.starts_with('+') ? word.data() + 1 : word.data();
-  const auto [stop, wrong] = std::from_chars(begin, end, value);
-  if (wrong != std::errc{} || stop != end || !std::isfinite(value))
-    throw InputError(fmt::format("{}: expected a number, found '{}'", flag, word));
-  return value;
-}
-
-double angle_from(const std::string& word, const std::string& flag, bool azimuth) {
-  const double angle = number_from(word, flag);
-  if (azimuth ? !is_azimuth(angle) : !is_elevation(angle))
-    throw InputError(fmt::format("{}: expected {} deg, found {}", flag,
-                                 azimuth ? "an azimuth of -360..360" : "an elevation of -90..90", word));
-  return angle;
-}
-
-AspectAngles angle_pair(const std::string& words, const std::string& flag) {
-  const auto parts = split(words, ',');
-  if (parts.size() != 2)
-    throw InputError(fmt::format("{}: expected AZIMUTH,ELEVATION in deg, found '{}'", flag, words));
-  return {angle_from(parts[0], flag, true), angle_from(parts[1], flag, false)};
+// One of the words; the nearest is named where it is none.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto complaint = [words](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return "";
+    return fmt::format("expected {}, found '{}'{}", fmt::join(words, " or "), word, did_you_mean(word, words));
+  };
+  return {complaint, fmt::format("{}", fmt::join(words, "|"))};
 }
 
 Receiver receiver_from(const SceneFlags& flags) {
   Receiver receiver;
-  if (!flags.bistatic_angle.empty()) {
-    if (flags.receiver != "monostatic") throw InputError("--bistatic-angle: expected it alone, found --receiver too");
+  if (flags.given("--bistatic-angle")) {
+    if (flags.given("--receiver"))
+      throw InputError("--receiver: expected either --receiver or --bistatic-angle, found both");
     receiver.kind = Receiver::Kind::bistatic;
-    receiver.bistatic_angle_deg = number_from(flags.bistatic_angle, "--bistatic-angle");
+    receiver.bistatic_angle_deg = number_from_words(flags.bistatic_angle, "--bistatic-angle");
     if (std::abs(receiver.bistatic_angle_deg) > 180.0)
       throw InputError(fmt::format("--bistatic-angle: expected -180..180 deg, found {}", flags.bistatic_angle));
     receiver.plane = flags.plane == "elevation" ? Receiver::Plane::elevation : Receiver::Plane::azimuth;
-  } else if (flags.receiver != "monostatic") {
-    receiver.kind = Receiver::Kind::fixed;
-    receiver.fixed = angle_pair(flags.receiver, "--receiver");
+    return receiver;
   }
+  if (flags.given("--plane")) throw InputError("--plane: belongs to --bistatic-angle, which is missing");
+  if (flags.receiver == "monostatic") return receiver;
+  if (flags.receiver.find(',') == std::string::npos)
+    throw InputError(
+        fmt::format("--receiver: expected monostatic or AZIMUTH,ELEVATION in deg, found '{}'", flags.receiver));
+  receiver.kind = Receiver::Kind::fixed;
+  receiver.fixed = angle_pair_from_words(flags.receiver, "--receiver");
   return receiver;
 }
 
-double wavelength_from(const std::string& words) {
+double wavelength_from(const SceneFlags& flags) {
   try {
-    return words.empty() ? 0.0 : length_from_text(words);
+    return flags.given("--wavelength") ? length_from_text(flags.wavelength) : 0.0;
   } catch (const std::invalid_argument& wrong) {
     throw InputError(fmt::format("--wavelength: {}", wrong.what()));
   }
@@ -78,65 +63,39 @@ FacetOutput facets_from(const std::string& words) {
     facets.all = true;
     return facets;
   }
+  if (words.find(',') == std::string::npos)
+    throw InputError(fmt::format("--facets: expected none, all or AZ,EL;AZ,EL... in deg, found '{}'", words));
   for (const auto& pair : split(words, ';')) {
-    facets.directions.push_back(angle_pair(pair, "--facets"));
+    facets.directions.push_back(angle_pair_from_words(pair, "--facets"));
     facets.places.push_back(Place{"--facets"});
   }
   return facets;
 }
 
-}  // namespace
-
-void SceneFlags::add_to(CLI::App& verb) {
-  const std::string group = "Instead of a scene file";
-  const auto axis = CLI::IsMember({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
-  verb.add_option("--unit", unit, "Unit of the target's coordinates (mm, m, inch, ...)")->group(group);
-  verb.add_option("--material", material, "lambert:REFLECTANCE, a library name, or a material file")->group(group);
-  verb.add_option("--azimuth", azimuth, "A, A,B,C or FROM:TO:STEP [deg]")->group(group);
-  verb.add_option("--elevation", elevation, "The same (default 0)")->group(group);
-  verb.add_option("--receiver", receiver, "monostatic (default), or AZIMUTH,ELEVATION of a fixed receiver")
-      ->group(group);
-  verb.add_option("--bistatic-angle", bistatic_angle, "True angle between transmitter and receiver [deg]")
-      ->group(group);
-  verb.add_option("--plane", plane, "Plane of the bistatic angle")
-      ->check(CLI::IsMember({"azimuth", "elevation"}))
-      ->group(group);
-  verb.add_option("--wavelength", wavelength, "With its unit: \"1.06 um\"")->group(group);
-  verb.add_option("--forward", forward, "File axis that is the nose (default +x)")->check(axis)->group(group);
-  verb.add_option("--up", up, "File axis that is up (default +z)")->check(axis)->group(group);
-  verb.add_option("--sides", sides, "Sides that reflect")->check(CLI::IsMember({"both", "front"}))->group(group);
-  verb.add_option("--repair", repair, "auto (default) or none")->check(CLI::IsMember({"auto", "none"}))->group(group);
-  verb.add_option("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL...")->group(group);
+std::vector<AspectAngles> directions_from(const SceneFlags& flags) {
+  const auto azimuths = angles_from_words(flags.azimuth, "--azimuth", azimuth_domain);
+  const auto elevations = angles_from_words(flags.elevation, "--elevation", elevation_domain);
+  if (azimuths.size() * elevations.size() > most_directions)
+    throw InputError(fmt::format("--elevation: the sweep has more than {} directions", most_directions));
+  std::vector<AspectAngles> directions;
+  for (const double elevation : elevations)
+    for (const double azimuth : azimuths) directions.push_back({azimuth, elevation});
+  return directions;
 }
 
-bool SceneFlags::any() const {
-  const SceneFlags none;
-  return unit != none.unit || material != none.material || azimuth != none.azimuth || elevation != none.elevation ||
-         receiver != none.receiver || wavelength != none.wavelength || bistatic_angle != none.bistatic_angle ||
-         plane != none.plane || forward != none.forward || up != none.up || sides != none.sides ||
-         repair != none.repair || facets != none.facets;
+// Every word that decides a number of the result.
+std::string digest_of_words(const SceneFlags& flags, const Material& material) {
+  const std::vector<std::string> said{
+      flags.unit,  material_to_yaml(material), flags.azimuth, flags.elevation, flags.receiver, flags.wavelength,
+      flags.plane, flags.bistatic_angle,       flags.forward, flags.up,        flags.sides,    flags.repair,
+      flags.facets};
+  return digest_of(fmt::format("{}", fmt::join(said, "\n")));
 }
 
-std::vector<double> angles_from_words(const std::string& words, const std::string& flag, bool azimuth) {
-  std::vector<double> angles;
-  const auto range = split(words, ':');
-  if (range.size() == 3) {
-    const double from = angle_from(range[0], flag, azimuth), to = angle_from(range[1], flag, azimuth);
-    const double step = number_from(range[2], flag);
-    if (step == 0.0) throw InputError(fmt::format("{}: expected a step other than 0 in '{}'", flag, words));
-    if (std::abs(to - from) / std::abs(step) > static_cast<double>(most_directions))
-      throw InputError(fmt::format("{}: the sweep has more than {} directions", flag, most_directions));
-    angles = angle_range(from, to, step);
-  } else if (range.size() <= 1) {
-    for (const auto& word : split(words, ',')) angles.push_back(angle_from(word, flag, azimuth));
-  } else {
-    throw InputError(fmt::format("{}: expected A, A,B,C or FROM:TO:STEP, found '{}'", flag, words));
-  }
-  if (angles.empty()) throw InputError(fmt::format("{}: the sweep '{}' is empty", flag, words));
-  return angles;
-}
-
-Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
+void require_the_needed(const std::string& target, const SceneFlags& flags) {
+  std::error_code none;
+  if (!std::filesystem::exists(target, none))
+    throw InputError(Place{target}, "no such file (a scene file ends in .yaml)");
   if (flags.unit.empty())
     throw InputError(fmt::format("--unit is missing: {} has no unit of its own; expected one of {}", target,
                                  fmt::join(length_units(), ", ")));
@@ -145,27 +104,63 @@ Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
   if (flags.azimuth.empty()) throw InputError("--azimuth is missing: expected A, A,B,C or FROM:TO:STEP in deg");
   if (flags.forward.back() == flags.up.back())
     throw InputError(fmt::format("--up: expected another axis than --forward {}, found {}", flags.forward, flags.up));
+}
+
+}  // namespace
+
+void SceneFlags::add_to(CLI::App& verb) {
+  const auto axis = one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
+  const auto add = [&](const char* name, std::string& word, const char* meaning) {
+    CLI::Option* option = verb.add_option(name, word, meaning)->group("Instead of a scene file");
+    options.push_back(option);
+    return option;
+  };
+  add("--unit", unit, "Unit of the target's coordinates (mm, m, inch, ...)");
+  add("--material", material, "lambert:REFLECTANCE, a library name, or a material file");
+  add("--azimuth", azimuth, "A, A,B,C or FROM:TO:STEP [deg]");
+  add("--elevation", elevation, "The same (default 0)");
+  add("--receiver", receiver, "monostatic (default), or AZIMUTH,ELEVATION of a fixed receiver [deg]");
+  add("--bistatic-angle", bistatic_angle, "True angle between transmitter and receiver [deg]");
+  add("--plane", plane, "Plane of the bistatic angle (default azimuth)")->check(one_of({"azimuth", "elevation"}));
+  add("--wavelength", wavelength, "With its unit: \"1.06 um\"");
+  add("--forward", forward, "File axis that is the nose (default +x)")->check(axis);
+  add("--up", up, "File axis that is up (default +z)")->check(axis);
+  add("--sides", sides, "Sides that reflect (default both)")->check(one_of({"both", "front"}));
+  add("--repair", repair, "Repair the mesh (default auto)")->check(one_of({"auto", "none"}));
+  add("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL... [deg]");
+}
+
+bool SceneFlags::given(const std::string& flag) const {
+  for (const CLI::Option* option : options)
+    if (option->get_name() == flag) return option->count() > 0;
+  return false;
+}
+
+std::string SceneFlags::first_given() const {
+  for (const CLI::Option* option : options)
+    if (option->count() > 0) return option->get_name();
+  return "";
+}
+
+Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
+  require_the_needed(target, flags);
   Scene scene;
   scene.name = "command line";
-  scene.target = {
-      target,   Place{"lrcs sweep"},    checked_unit(flags.unit, Place{"--unit"}),          flags.unit, flags.forward,
-      flags.up, flags.repair == "auto", flags.sides == "front" ? Sides::front : Sides::both};
-  scene.wavelength = wavelength_from(flags.wavelength);
-  scene.materials = {material_from_words(flags.material)};
+  scene.target.file = target;
+  scene.target.place = Place{target};
+  scene.target.unit = flags.unit;
+  scene.target.metres_per_unit = checked_unit(flags.unit, Place{"--unit"});
+  scene.target.forward = flags.forward;
+  scene.target.up = flags.up;
+  scene.target.repair = flags.repair == "auto";
+  scene.target.sides = flags.sides == "front" ? Sides::front : Sides::both;
+  scene.wavelength = wavelength_from(flags);
+  scene.materials = {material_from_argument(flags.material)};
   scene.assign = {{AssignRule::By::everything, "", scene.materials.front().name, Place{"--material"}}};
-  for (const double elevation : angles_from_words(flags.elevation, "--elevation", false))
-    for (const double azimuth : angles_from_words(flags.azimuth, "--azimuth", true))
-      scene.directions.push_back({azimuth, elevation});
+  scene.directions = directions_from(flags);
   scene.receiver = receiver_from(flags);
   scene.facets = facets_from(flags.facets);
-  const std::vector<std::string> said{flags.unit,     material_to_yaml(scene.materials.front()),
-                                      flags.azimuth,  flags.elevation,
-                                      flags.receiver, flags.wavelength,
-                                      flags.plane,    flags.bistatic_angle,
-                                      flags.forward,  flags.up,
-                                      flags.sides,    flags.repair,
-                                      flags.facets};
-  scene.digest = digest_of(fmt::format("{}", fmt::join(said, "\n")));
+  scene.digest = digest_of_words(flags, scene.materials.front());
   return scene;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "lrcs/scene.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace lrcs {
 
@@ -14,17 +16,16 @@ struct SceneFlags {
   std::string unit, material, azimuth, elevation = "0", receiver = "monostatic", wavelength;
   std::string bistatic_angle, plane = "azimuth";
   std::string forward = "+x", up = "+z", sides = "both", repair = "auto", facets = "none";
+  std::vector<const CLI::Option*> options;  // set by add_to
 
   void add_to(CLI::App& verb);
-  // Was any of them given? (Then there must be no scene file.)
-  [[nodiscard]] bool any() const;
+  [[nodiscard]] bool given(const std::string& flag) const;
+  // The first flag that the user gave, or "". (Beside a scene file there must be none.)
+  [[nodiscard]] std::string first_given() const;
 };
 
 // The scene of `lrcs sweep TARGET --unit mm --material lambert:0.8 --azimuth 0:360:1 ...`.
 // error: InputError that names the flag and what was expected.
 [[nodiscard]] Scene scene_from_flags(const std::string& target, const SceneFlags& flags);
-
-// "17", "0,10,45" or "from:to:step" [deg].
-[[nodiscard]] std::vector<double> angles_from_words(const std::string& words, const std::string& flag, bool is_azimuth);
 
 }  // namespace lrcs

@@ -30,9 +30,8 @@ bool is_scene_file(const std::filesystem::path& file) {
 
 Scene scene_of(const std::string& input, const SceneFlags& flags) {
   if (!is_scene_file(input)) return scene_from_flags(input, flags);
-  if (flags.any())
-    throw InputError(
-        fmt::format("{}: a scene file says it all: expected none of the flags that describe a scene", input));
+  const std::string flag = flags.first_given();
+  if (!flag.empty()) throw InputError(fmt::format("{}: expected no such flag beside the scene file {}", flag, input));
   return read_scene(input);
 }
 
@@ -44,6 +43,11 @@ void say_repairs(const LoadedTarget& loaded) {
       "lrcs: repaired: {} repeated vertices welded, {} degenerate and {} duplicate facets dropped, {} facets turned "
       "outward\n",
       r.welded_vertices, r.degenerate, r.duplicate, r.flipped);
+}
+
+void say_plan(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts) {
+  fmt::print(stderr, "lrcs: {} facets in {} parts, {} directions, {} threads\n", loaded.target.mesh.size(),
+             loaded.target.mesh.part_names.size(), scene.directions.size(), facts.threads);
 }
 
 void say_result(const std::vector<SweepRow>& rows, double seconds, const std::filesystem::path& folder) {
@@ -62,12 +66,13 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
   facts.threads = common.threads != 0 ? common.threads : std::max(1U, std::thread::hardware_concurrency());
   facts.warnings = wavelength_warnings(scene);
 
+  (void)facet_rows(scene);  // a large target is not read in vain
   auto start = Clock::now();
   const LoadedTarget loaded = load_target(scene);
   facts.read_seconds = seconds_since(start);
-  if (!common.quiet) say_repairs(loaded);
-
   SweepResults results(folder, scene, loaded);
+  if (!common.quiet) say_repairs(loaded);
+  if (common.verbose && !common.quiet) say_plan(scene, loaded, facts);
   std::vector<Aspect> aspects;
   for (const AspectAngles& transmitter : scene.directions) aspects.push_back(aspect_of(transmitter, scene.receiver));
   start = Clock::now();

@@ -1,9 +1,11 @@
 #include "cli/sweep_results.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -18,26 +20,18 @@
 namespace lrcs {
 namespace {
 
-// Rows of the sweep whose transmitter direction is the asked one; the first of them counts.
-std::size_t row_of(const AspectAngles& asked, const Place& place, const std::vector<AspectAngles>& directions) {
-  // Angles that print the same to a user are the same: from + k step need not hit the double nearest to the decimals.
-  constexpr double same_deg = 1.0 / 1048576.0;
-  const Vec3 d = direction_of(asked);
-  double nearest = 4.0;
-  std::size_t row = 0;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    const double apart = (direction_of(directions[k]) - d).norm();
-    if (apart < nearest) {
-      nearest = apart;
-      row = k;
-    }
-  }
-  if (nearest > same_deg * degree)
-    throw InputError(place,
-                     fmt::format("the direction azimuth {}, elevation {} is not in the sweep; the nearest is {}, {}",
-                                 asked.azimuth_deg, asked.elevation_deg, directions[row].azimuth_deg,
-                                 directions[row].elevation_deg));
-  return row;
+// Where pictures of facets wait until the sweep is done: they are drawn from the main thread only.
+constexpr std::size_t picture_memory = std::size_t{256} << 20U;  // [bytes]
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed || !std::filesystem::is_directory(folder))
+    throw InputError(Place{folder.string()}, fmt::format("cannot be made a folder for the results: {}",
+                                                         failed ? failed.message() : "it is a file"));
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw InputError(Place{folder.string()},
+                     fmt::format("results cannot be written to this folder: {}", std::strerror(errno)));
 }
 
 FacetResult facet_result(const Target& target, const SweepRow& row, const CrossSection& section) {
@@ -58,18 +52,24 @@ FacetResult facet_result(const Target& target, const SweepRow& row, const CrossS
 
 SweepResults::SweepResults(std::filesystem::path folder, const Scene& scene, const LoadedTarget& loaded)
     : folder_(std::move(folder)), scene_(scene), loaded_(loaded), files_of_row_(scene.directions.size()) {
-  for (std::size_t k = 0; k < scene.facets.directions.size(); ++k)
-    files_of_row_[row_of(scene.facets.directions[k], scene.facets.places[k], scene.directions)].push_back(k);
+  const auto rows = facet_rows(scene);
+  for (std::size_t k = 0; k < rows.size(); ++k) files_of_row_[rows[k]].push_back(k);
   if (scene.facets.all)
     for (std::size_t k = 0; k < files_of_row_.size(); ++k) files_of_row_[k] = {k};
+  make_folder(folder_);
   std::error_code failed;
-  std::filesystem::create_directories(folder_, failed);
-  if (failed) throw InputError(Place{folder_.string()}, fmt::format("cannot be made a folder: {}", failed.message()));
   std::filesystem::remove(folder_ / "manifest.json", failed);
+  if (failed)
+    throw InputError(Place{(folder_ / "manifest.json").string()}, fmt::format("is in the way: {}", failed.message()));
 }
 
 void SweepResults::keep(const std::string& name) {
   outputs_.emplace_back(name, digest_of_file(folder_ / name));
+}
+
+std::size_t SweepResults::most_pictures() const {
+  const std::size_t one = 2 * sizeof(double) * std::max<std::size_t>(1, loaded_.target.mesh.size());
+  return std::max<std::size_t>(1, picture_memory / one);
 }
 
 void SweepResults::write_facets(std::size_t row, const SweepRow& result, const CrossSection& section) {
@@ -77,7 +77,8 @@ void SweepResults::write_facets(std::size_t row, const SweepRow& result, const C
     const std::string name = fmt::format("facets-{}.vtp", k);
     write_facets_vtp(folder_ / name, loaded_.target.mesh, facet_result(loaded_.target, result, section));
     keep(name);
-    if (!scene_.facets.all) pictures_.push_back({folder_ / fmt::format("facets-{}.png", k), result.aspect, section});
+    facets_.push_back({k, row, name, result.aspect});
+    if (!scene_.facets.all && k < most_pictures()) pictures_.push_back({k, result.aspect, section});
   }
 }
 
@@ -86,34 +87,48 @@ void SweepResults::write_table(const std::vector<SweepRow>& rows) {
   keep("sweep.csv");
 }
 
+void SweepResults::attempt(const std::string& name,
+                           const std::function<void(const std::filesystem::path& png)>& drawing,
+                           std::vector<std::string>& warnings) {
+  try {
+    drawing(folder_ / name);
+    keep(name);
+  } catch (const std::exception& impossible) {
+    warnings.push_back(fmt::format("{} was not drawn: {}", name, impossible.what()));
+  }
+}
+
 void SweepResults::draw(const std::vector<SweepRow>& rows, std::vector<std::string>& warnings) {
-  const auto attempt = [&](const std::string& name, const auto& drawing) {
-    try {
-      drawing(folder_ / name);
-      keep(name);
-    } catch (const std::exception& impossible) {
-      warnings.push_back(fmt::format("{} was not drawn: {}", name, impossible.what()));
-    }
-  };
   const Cuts cuts = cuts_of(rows);
   const std::string what = scene_.receiver.kind == Receiver::Kind::monostatic ? "Monostatic LRCS" : "Bistatic LRCS";
   const PlotText text{fmt::format("{} of {}", what, scene_.target.file.filename().string()), cuts.axis, cuts.angle};
   if (cuts.left_out > 0)
     warnings.push_back(fmt::format("the plots show the first {} cuts, {} are left out", most_curves, cuts.left_out));
-  attempt("sweep.png", [&](const auto& png) { draw_sweep_plot(png, cuts.curves, text); });
-  attempt("polar.png", [&](const auto& png) { draw_polar_plot(png, cuts.curves, text); });
-  std::sort(pictures_.begin(), pictures_.end(), [](const auto& a, const auto& b) { return a.png < b.png; });
-  for (const FacetPicture& picture : pictures_)
-    attempt(picture.png.filename().string(), [&](const auto& png) {
-      const SweepRow row{picture.aspect, picture.section.sigma, picture.section.seen_area};
-      draw_facets_picture(png, loaded_.target.mesh, facet_result(loaded_.target, row, picture.section),
-                          picture.aspect.to_receiver, Vec3::UnitZ(), 1600, 1200);
-    });
+  attempt(
+      "sweep.png", [&](const auto& png) { draw_sweep_plot(png, cuts.curves, text); }, warnings);
+  attempt(
+      "polar.png", [&](const auto& png) { draw_polar_plot(png, cuts.curves, text); }, warnings);
+  if (scene_.facets.directions.size() > most_pictures())
+    warnings.push_back(
+        fmt::format("pictures are drawn of the first {} facet files only, to save memory", most_pictures()));
+  std::sort(pictures_.begin(), pictures_.end(), [](const auto& a, const auto& b) { return a.k < b.k; });
+  for (const FacetPicture& picture : pictures_) {
+    const SweepRow row{picture.aspect, picture.section.sigma, picture.section.seen_area};
+    const FacetResult result = facet_result(loaded_.target, row, picture.section);
+    attempt(
+        fmt::format("facets-{}.png", picture.k),
+        [&](const auto& png) {
+          draw_facets_picture(png, loaded_.target.mesh, result, picture.aspect.to_receiver, Vec3::UnitZ(), 1600, 1200);
+        },
+        warnings);
+  }
 }
 
 void SweepResults::write_manifest(RunFacts facts) {
   std::sort(outputs_.begin(), outputs_.end());
+  std::sort(facets_.begin(), facets_.end(), [](const FacetFile& a, const FacetFile& b) { return a.k < b.k; });
   facts.outputs = outputs_;
+  facts.facets = facets_;
   write_whole_file(folder_ / "manifest.json", manifest_json(scene_, loaded_, facts));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,25 +13,31 @@ namespace lrcs {
 // Writes the results of a sweep into a folder, each file whole or not at all, and keeps the list for the manifest.
 class SweepResults {
  public:
-  // Makes the folder. An earlier run's manifest is taken away first: a folder with a manifest is a complete result.
+  // Makes the folder, when everything asked is known to be in the sweep. An earlier run's manifest is taken away first:
+  // a folder with a manifest is a complete result. InputError: a direction outside the sweep; a folder that cannot be
+  // written to.
   SweepResults(std::filesystem::path folder, const Scene& scene, const LoadedTarget& loaded);
 
-  // The rows for which the scene asks facet files. An asked direction outside the sweep: InputError.
+  // The rows for which the scene asks facet files.
   [[nodiscard]] bool wants_facets(std::size_t row) const { return !files_of_row_[row].empty(); }
   void write_facets(std::size_t row, const SweepRow& result, const CrossSection& section);
 
   void write_table(const std::vector<SweepRow>& rows);
-  // sweep.png and polar.png, and a picture of each facet file asked by direction. What cannot be drawn is a warning.
+  // sweep.png and polar.png, and a picture of each facet file asked by direction, as many as memory is set aside for.
+  // What cannot be drawn is a warning.
   void draw(const std::vector<SweepRow>& rows, std::vector<std::string>& warnings);
   void write_manifest(RunFacts facts);
 
  private:
   struct FacetPicture {
-    std::filesystem::path png;
+    std::size_t k;
     Aspect aspect;
     CrossSection section;
   };
   void keep(const std::string& name);
+  void attempt(const std::string& name, const std::function<void(const std::filesystem::path& png)>& drawing,
+               std::vector<std::string>& warnings);
+  [[nodiscard]] std::size_t most_pictures() const;
 
   std::filesystem::path folder_;
   const Scene& scene_;
@@ -38,6 +45,7 @@ class SweepResults {
   std::vector<std::vector<std::size_t>> files_of_row_;  // numbers k of facets-k.vtp
   std::vector<FacetPicture> pictures_;
   std::vector<std::pair<std::string, std::string>> outputs_;
+  std::vector<FacetFile> facets_;
 };
 
 }  // namespace lrcs

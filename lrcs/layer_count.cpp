@@ -81,13 +81,13 @@ void LayerCount::collect_slab(double low, double high) {
   int layers_at_left_side = 0;
   for (const std::uint32_t e : active_) {
     const Line line{u_at(edges_[e], low), u_at(edges_[e], high), edges_[e].step, e};
-    if (std::abs(line.step) == outside) {
-      lines_.push_back(line);
-    } else if (line.bottom <= 0.0 && line.top <= 0.0) {
+    const bool side = std::abs(line.step) == outside;
+    const bool left = line.bottom <= 0.0 && line.top <= 0.0;
+    const bool right = line.bottom >= 1.0 - low && line.top >= 1.0 - high;
+    if (!side && left)
       layers_at_left_side += line.step;
-    } else if (line.bottom < 1.0 - low || line.top < 1.0 - high) {
+    else if (side || !right)
       lines_.push_back(line);
-    }
   }
   for (Line& line : lines_)
     if (line.step == -outside) line.step += layers_at_left_side;

@@ -52,7 +52,7 @@ Json receiver_json(const Receiver& receiver) {
 
 Json facets_json(const std::vector<FacetFile>& files) {
   Json facets = Json::array();
-  for (const auto& [name, row, aspect] : files)
+  for (const auto& [k, row, name, aspect] : files)
     facets.push_back({{"file", name},
                       {"row", row},
                       {"transmitter_azimuth_deg", aspect.transmitter.azimuth_deg},

@@ -8,10 +8,11 @@
 
 namespace lrcs {
 
-// A facet file: facets-k.vtp, k its place in output.facets, or the row for facets: all.
+// A facet file of a run.
 struct FacetFile {
-  std::string name;
+  std::size_t k = 0;    // its place in output.facets, or the row for facets: all
   std::size_t row = 0;  // of the sweep, from 0
+  std::string name;     // facets-k.vtp
   Aspect aspect;
 };
 

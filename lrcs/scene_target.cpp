@@ -66,12 +66,13 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
   const auto left_out = std::find(material.begin(), material.end(), unassigned);
   if (left_out != material.end()) {
     const auto k = static_cast<std::size_t>(left_out - material.begin());
+    const std::string& of = mesh.file_material_names[mesh.file_material[k]];
     throw InputError(
         scene.assign_place,
-        fmt::format("{} of {} facets have no material, the first in part {} with file material {}: expected a rule for "
-                    "each, or a last rule {{default: MATERIAL}}",
+        fmt::format("{} of {} facets have no material, the first in part {}{}: expected a rule for each, or a last "
+                    "rule {{default: MATERIAL}}",
                     std::count(material.begin(), material.end(), unassigned), mesh.size(),
-                    shown(mesh.part_names[mesh.part[k]]), shown(mesh.file_material_names[mesh.file_material[k]])));
+                    shown(mesh.part_names[mesh.part[k]]), of.empty() ? "" : fmt::format(", file material '{}'", of)));
   }
   return material;
 }

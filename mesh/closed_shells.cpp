@@ -1,15 +1,13 @@
 #include "mesh/closed_shells.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "base/compensated_sum.h"
 #include "mesh/edges.h"
+#include "mesh/enclosure.h"
 
 namespace lrcs {
 namespace {
@@ -106,14 +104,29 @@ void reverse(ClosedShell& shell) {
   shell.volume = -shell.volume;
 }
 
-// The closed shells among some facets; what belongs to none is left in `facets`.
-void take_shells(const FacetMesh& mesh, Indices& facets, bool in_one_part, std::vector<ClosedShell>& shells) {
-  const Edges edges(mesh, facets);
-  WindingSets sets(mesh.size());
+// Connects facets across edges of two of them, one of which is turned where it must be.
+void join_at_manifold_edges(const Edges& edges, WindingSets& sets) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto uses = edges.uses(edge);
     if (uses.size() == 2) sets.join(uses[0].facet, uses[1].facet, uses[0].rising == uses[1].rising);
   }
+}
+
+// Connects facets across all edges, with the windings that they have.
+void join_as_given(const Edges& edges, WindingSets& sets) {
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    for (const EdgeUse& use : edges.uses(edge)) sets.join(edges.uses(edge)[0].facet, use.facet, false);
+  }
+}
+
+using Join = void (*)(const Edges&, WindingSets&);
+
+// The closed shells among some facets; what belongs to none is left in `facets`.
+void take_shells(const FacetMesh& mesh, Join join, Indices& facets, bool in_one_part,
+                 std::vector<ClosedShell>& shells) {
+  const Edges edges(mesh, facets);
+  WindingSets sets(mesh.size());
+  join(edges, sets);
   tear_open_sets(edges, sets);
   std::map<std::uint32_t, Indices> closed;  // by the smallest facet, so that the order does not hang on the roots
   std::map<std::uint32_t, std::uint32_t> smallest;
@@ -137,48 +150,6 @@ std::vector<Indices> facets_of_parts(const FacetMesh& mesh) {
   return parts;
 }
 
-using Box = Eigen::AlignedBox3d;
-
-Box box_of(const FacetMesh& mesh, const ClosedShell& shell) {
-  Box box;
-  for (const std::uint32_t facet : shell.facets) {
-    for (const Vec3& corner : mesh.corners(facet)) box.extend(corner);
-  }
-  return box;
-}
-
-// How often the shell goes round the point: 0 outside, 1 or -1 inside. The solid angle of all facets over 4 pi.
-// source: A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30(2), 125-126, 1983.
-double turns_round(const FacetMesh& mesh, const ClosedShell& shell, const Vec3& point) {
-  const auto angle_of = [&](std::uint32_t facet) {
-    auto [a, b, c] = mesh.corners(facet);
-    a -= point, b -= point, c -= point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    return std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
-  };
-  CompensatedSum half_angle;
-  auto reversed = shell.reversed.begin();
-  for (const std::uint32_t facet : shell.facets) {
-    const bool is_reversed = reversed != shell.reversed.end() && *reversed == facet;
-    if (is_reversed) ++reversed;
-    half_angle.add(is_reversed ? -angle_of(facet) : angle_of(facet));
-  }
-  return half_angle.value() / (2.0 * std::numbers::pi);
-}
-
-// Most of a few points spread over the inner shell lie inside the outer one: single ones may lie on it.
-bool lies_inside(const FacetMesh& mesh, const ClosedShell& inner, const ClosedShell& outer) {
-  constexpr std::size_t points = 5;
-  int inside = 0;
-  for (std::size_t k = 0; k < points; ++k) {
-    const auto [a, b, c] = mesh.corners(inner.facets[k * inner.facets.size() / points]);
-    inside += std::abs(turns_round(mesh, outer, (a + b + c) / 3.0)) > 0.5 ? 1 : -1;
-  }
-  return inside > 0;
-}
-
 // Below this, a volume is rounding.
 double volume_noise(const FacetMesh& mesh, const ClosedShell& shell) {
   const Vec3& origin = mesh.positions[mesh.facets[shell.facets[0]][0]];
@@ -191,16 +162,14 @@ double volume_noise(const FacetMesh& mesh, const ClosedShell& shell) {
 }
 
 void face_outward(const FacetMesh& mesh, std::vector<ClosedShell>& shells) {
-  std::vector<Box> boxes;
-  boxes.reserve(shells.size());
-  for (const ClosedShell& shell : shells) boxes.push_back(box_of(mesh, shell));
-  for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (shells[i].volume >= -volume_noise(mesh, shells[i])) continue;
-    bool nested = false;
-    for (std::size_t o = 0; o < shells.size() && !nested; ++o)
-      nested = o != i && boxes[o].contains(boxes[i]) && lies_inside(mesh, shells[i], shells[o]);
-    if (!nested) reverse(shells[i]);
+  std::vector<std::size_t> inward;
+  for (std::size_t k = 0; k < shells.size(); ++k) {
+    if (shells[k].volume < -volume_noise(mesh, shells[k])) inward.push_back(k);
   }
+  if (inward.empty()) return;
+  Enclosure enclosure(mesh, shells);
+  std::erase_if(inward, [&](std::size_t k) { return enclosure.is_inside_another(k); });
+  for (const std::size_t k : inward) reverse(shells[k]);
 }
 
 }  // namespace
@@ -209,11 +178,11 @@ std::vector<ClosedShell> closed_shells(const FacetMesh& welded) {
   std::vector<ClosedShell> shells;
   Indices left;
   for (Indices& part : facets_of_parts(welded)) {
-    take_shells(welded, part, true, shells);
+    for (const Join join : {join_at_manifold_edges, join_as_given}) take_shells(welded, join, part, true, shells);
     left.insert(left.end(), part.begin(), part.end());
   }
   std::sort(left.begin(), left.end());
-  take_shells(welded, left, false, shells);
+  for (const Join join : {join_at_manifold_edges, join_as_given}) take_shells(welded, join, left, false, shells);
   face_outward(welded, shells);
   return shells;
 }

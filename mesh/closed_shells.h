@@ -16,11 +16,11 @@ struct ClosedShell {
 
 // The closed shells of a welded mesh. Facets are connected across edges that two facets use; a shell is closed where
 // the windings, once consistent, cancel at every one of its edges. Shells are sought inside each part first, so that
-// parts which touch stay apart, then among what is left, across parts.
+// parts which touch stay apart, then among what is left, across parts. Bodies of one part that lie face to face have
+// edges of four facets: facets connected across any edge, whose windings cancel at all of them as given, are one shell.
 // Outward: the volume is positive. A shell that lies inside another one is either a cavity or a body of its own: it
-// keeps the side that most of its facets face as given. A shell of no volume (a sheet and its back) keeps its windings
-// too.
-// domain: facets of three different vertices, no two the same (repair_connectivity() sees to that).
+// keeps the side that most of its facets face as given (enclosure.h). A shell of no volume (a sheet and its back) keeps
+// its windings too. domain: facets of three different vertices, no two the same (repair_connectivity() sees to that).
 // error: volume: below 16 eps Sum |a| |b| |c| over the facets, their corners seen from the shell's first one.
 [[nodiscard]] std::vector<ClosedShell> closed_shells(const FacetMesh& welded);
 

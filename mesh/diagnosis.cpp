@@ -9,7 +9,6 @@
 #include "mesh/closed_shells.h"
 #include "mesh/edges.h"
 #include "mesh/repair.h"
-#include "mesh/self_intersections.h"
 #include "mesh/weld.h"
 
 namespace lrcs {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/facet_mesh.h"
+#include "mesh/self_intersections.h"
 
 namespace lrcs {
 
@@ -27,16 +28,16 @@ struct Diagnosis {
   std::size_t facets = 0;
   std::size_t vertices = 0;  // different positions that facets use
   double area = 0.0;
-  double volume = 0.0;                 // enclosed by closed shells, cavities taken off; 0 where nothing is closed
-  std::array<Vec3, 2> box{};           // of the facets: least and greatest coordinates
-  bool closed = false;                 // every edge has an even number of facets
-  std::size_t degenerate = 0;          // facets of area exactly zero
-  std::size_t duplicate = 0;           // facets that repeat an earlier one, winding included
-  std::size_t non_manifold_edges = 0;  // edges of more than two facets
-  std::size_t boundary_edges = 0;      // edges of one facet
-  std::size_t flipped = 0;             // facets of closed shells whose winding points inward
-  std::size_t self_intersections = 0;  // pairs of facets (self_intersections.h)
-  std::vector<PartDiagnosis> parts;    // in file order
+  double volume = 0.0;                   // enclosed by closed shells, cavities taken off; 0 where nothing is closed
+  std::array<Vec3, 2> box{};             // of the facets: least and greatest coordinates
+  bool closed = false;                   // every edge has an even number of facets
+  std::size_t degenerate = 0;            // facets of area exactly zero
+  std::size_t duplicate = 0;             // facets that repeat an earlier one, winding included
+  std::size_t non_manifold_edges = 0;    // edges of more than two facets
+  std::size_t boundary_edges = 0;        // edges of one facet
+  std::size_t flipped = 0;               // facets of closed shells whose winding points inward
+  SelfIntersections self_intersections;  // pairs of facets
+  std::vector<PartDiagnosis> parts;      // in file order
 };
 
 // check: made bodies with known counts, and a half-edge mesh as a second route (tests/mesh/diagnosis_test.cpp).

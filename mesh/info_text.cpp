@@ -39,6 +39,11 @@ std::string size_text(const Diagnosis& d, std::string_view length) {
                      point_text(d.box[0]), point_text(d.box[1]));
 }
 
+std::string self_intersections_text(const SelfIntersections& found) {
+  return fmt::format("{}{} pairs of facets{}", found.complete ? "" : "at least ", found.pairs,
+                     found.complete ? "" : " (counting stopped)");
+}
+
 // "" is a part that the file gives no name.
 std::string shown_name(const std::string& name) {
   return name.empty() ? "(no name)" : name;
@@ -95,7 +100,7 @@ std::string info_text(const Diagnosis& d, std::string_view file, std::string_vie
          fact("non-manifold", fmt::format("{} edges", d.non_manifold_edges)) +
          fact("boundary", fmt::format("{} edges", d.boundary_edges)) +
          fact("flipped", fmt::format("{} facets of closed shells", d.flipped)) +
-         fact("self-intersecting", fmt::format("{} pairs of facets", d.self_intersections)) + parts_table(d, length);
+         fact("self-intersecting", self_intersections_text(d.self_intersections)) + parts_table(d, length);
 }
 
 std::string info_json(const Diagnosis& d, std::string_view unit) {
@@ -115,7 +120,8 @@ std::string info_json(const Diagnosis& d, std::string_view unit) {
                        {"non_manifold_edges", d.non_manifold_edges},
                        {"boundary_edges", d.boundary_edges},
                        {"flipped", d.flipped},
-                       {"self_intersections", d.self_intersections}}},
+                       {"self_intersections", d.self_intersections.pairs},
+                       {"self_intersections_complete", d.self_intersections.complete}}},
                      {"parts", parts}};
   // Names in files need not be UTF-8: what is not becomes U+FFFD rather than an exception.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -80,14 +80,21 @@ std::vector<Box> boxes_of(const FacetMesh& mesh) {
 
 }  // namespace
 
-std::size_t self_intersections(const FacetMesh& welded) {
+SelfIntersections self_intersections(const FacetMesh& welded, std::size_t most_tests) {
+  struct Enough {};  // the only way to stop CGAL early
   const PairTest test(welded);
   std::vector<Box> boxes = boxes_of(welded);
-  std::size_t pairs = 0;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    pairs += test.intersect(a.info(), b.info()) ? 1 : 0;
-  });
-  return pairs;
+  SelfIntersections result;
+  std::size_t tests = 0;
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      if (tests++ == most_tests) throw Enough();
+      result.pairs += test.intersect(a.info(), b.info()) ? 1 : 0;
+    });
+  } catch (const Enough&) {
+    result.complete = false;
+  }
+  return result;
 }
 
 }  // namespace lrcs

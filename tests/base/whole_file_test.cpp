@@ -1,9 +1,12 @@
 #include "base/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
+#include <string>
 
 #include "base/digest.h"
 
@@ -33,21 +36,25 @@ TEST_F(WholeFiles, AppearWithAllTheirContent) {
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(WholeFiles, LeaveTheOldContentWhereNothingIsCommitted) {
-  write_whole_file(file_, "old");
-  {
-    const WholeFile whole(file_);
-    std::ofstream(whole.temporary()) << "half of";
-    EXPECT_EQ(content_of_file(file_), "old");
-    EXPECT_EQ(files(), 2);
+// A writer is killed at many moments: the file is one of the two contents, and nothing else lies in the folder but a
+// whole file that has not got its name yet.
+TEST_F(WholeFiles, AreWholeWhenTheWriterIsKilled) {
+  const std::string old_content(1 << 20, 'o'), new_content(1 << 20, 'n');
+  write_whole_file(file_, old_content);
+  for (int round = 0; round < 40; ++round) {
+    const pid_t writer = fork();
+    ASSERT_GE(writer, 0);
+    if (writer == 0) {
+      for (;;) write_whole_file(file_, round % 2 == 0 ? new_content : old_content);
+    }
+    usleep(static_cast<useconds_t>(500 + 137 * round));
+    kill(writer, SIGKILL);
+    waitpid(writer, nullptr, 0);
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const std::string content = content_of_file(entry.path());
+      EXPECT_TRUE(content == old_content || content == new_content) << entry.path();
+    }
   }
-  EXPECT_EQ(content_of_file(file_), "old");
-  EXPECT_EQ(files(), 1);
-}
-
-TEST_F(WholeFiles, KeepTheExtensionUntilTheyHaveTheirName) {
-  EXPECT_EQ(WholeFile(file_).temporary().extension(), ".csv");
-  EXPECT_EQ(WholeFile(file_).temporary().parent_path(), folder_);
 }
 
 TEST_F(WholeFiles, SayWhereTheyCannotBeWritten) {

@@ -23,8 +23,9 @@ TEST(Diagnosis, MeasuresABox) {
   EXPECT_EQ(d.box[0], Vec3(1, 2, 3));
   EXPECT_EQ(d.box[1], Vec3(2, 4, 6));
   EXPECT_TRUE(d.closed);
-  EXPECT_EQ(d.degenerate + d.duplicate + d.non_manifold_edges + d.boundary_edges + d.flipped + d.self_intersections,
-            0U);
+  EXPECT_EQ(
+      d.degenerate + d.duplicate + d.non_manifold_edges + d.boundary_edges + d.flipped + d.self_intersections.pairs,
+      0U);
   ASSERT_EQ(d.parts.size(), 1U);
   EXPECT_TRUE(d.parts[0].closed);
   EXPECT_DOUBLE_EQ(*d.parts[0].volume, 6.0);
@@ -41,6 +42,25 @@ TEST(Diagnosis, GivesTheVolumeOfAnInwardBoxAsPositiveAndCountsItsFacetsAsFlipped
   const Diagnosis d = diagnose(reversed(unit_box()));
   EXPECT_DOUBLE_EQ(d.volume, 1.0);
   EXPECT_EQ(d.flipped, 12U);
+}
+
+TEST(Diagnosis, MeasuresTwoBoxesOfOnePartThatLieFaceToFace) {
+  const FacetMesh stack = joined(unit_box(), box({0, 0, 1}, {1, 1, 2}));
+  for (const FacetMesh& mesh : {stack, reversed(stack)}) {
+    const Diagnosis d = diagnose(mesh);
+    EXPECT_DOUBLE_EQ(d.volume, 2.0);
+    EXPECT_TRUE(d.parts[0].closed);
+    EXPECT_EQ(d.non_manifold_edges, 5U);  // round the common side, and its diagonal
+    EXPECT_EQ(d.flipped, mesh.normals[0] == stack.normals[0] ? 0U : 24U);
+  }
+}
+
+TEST(Diagnosis, SaysOfTwoBoxesOfOnePartThatFaceDifferentWaysThatTheyAreNotManifold) {
+  const Diagnosis d = diagnose(joined(unit_box(), reversed(box({0, 0, 1}, {1, 1, 2}))));
+  EXPECT_EQ(d.non_manifold_edges, 4U);
+  EXPECT_EQ(d.duplicate, 2U);
+  EXPECT_EQ(d.flipped, 0U);
+  EXPECT_FALSE(d.parts[0].closed);
 }
 
 TEST(Diagnosis, CountsTheBoundaryOfAnOpenBox) {
@@ -118,7 +138,7 @@ TEST(InfoJson, HasTheKeysOfTheInterface) {
       json.dump(),
       R"({"facets":12,"vertices":8,"area_m2":6.0,"volume_m3":1.0,"box_m":[[0.0,0.0,0.0],[1.0,1.0,1.0]],"closed":true,)"
       R"("unit":"mm","diagnosis":{"degenerate":0,"duplicate":0,"non_manifold_edges":0,"boundary_edges":0,"flipped":0,)"
-      R"("self_intersections":0},"parts":[{"name":"hull","facets":12,"area_m2":6.0,"volume_m3":1.0,"closed":true,)"
+      R"("self_intersections":0,"self_intersections_complete":true},"parts":[{"name":"hull","facets":12,"area_m2":6.0,"volume_m3":1.0,"closed":true,)"
       R"("material":"paint","colour":null}]})");
 }
 
@@ -137,6 +157,15 @@ TEST(InfoJson, ReplacesWhatIsNotUtf8InAName) {
   FacetMesh mesh = unit_box();
   mesh.part_names = {"Fl\xfcgel"};
   EXPECT_EQ(nlohmann::json::parse(info_json(diagnose(mesh), "m"))["parts"][0]["name"], "Fl\xef\xbf\xbdgel");
+}
+
+TEST(InfoText, SaysWhereTheCountOfSelfIntersectionsStopped) {
+  Diagnosis d = diagnose(unit_box());
+  d.self_intersections = {5, false};
+  EXPECT_NE(info_text(d, "box.stl", "mm").find("at least 5 pairs of facets (counting stopped)\n"), std::string::npos);
+  const auto json = nlohmann::json::parse(info_json(d, "mm"));
+  EXPECT_EQ(json["diagnosis"]["self_intersections"], 5);
+  EXPECT_EQ(json["diagnosis"]["self_intersections_complete"], false);
 }
 
 TEST(InfoText, TellsAPersonWhatWasRead) {

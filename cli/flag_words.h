@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/direction.h"
+#include "brdf/material.h"
+
+namespace lrcs {
+
+// What a user writes after a flag, read and checked. error: InputError that names the flag and what was expected.
+
+// A finite number.
+[[nodiscard]] double number_from_words(std::string_view words, const std::string& flag);
+
+// Which angles a flag takes [deg].
+struct AngleDomain {
+  bool (*holds)(double deg);
+  const char* what;
+};
+extern const AngleDomain azimuth_domain, elevation_domain, incidence_domain;
+
+// "17", "0,10,45" or "from:to:step" [deg].
+[[nodiscard]] std::vector<double> angles_from_words(const std::string& words, const std::string& flag,
+                                                    const AngleDomain& domain);
+
+// "azimuth,elevation" [deg].
+[[nodiscard]] AspectAngles angle_pair_from_words(const std::string& words, const std::string& flag);
+
+// The words between the separators: one more than there are separators.
+[[nodiscard]] std::vector<std::string> split(std::string_view words, char separator);
+
+// lambert:REFLECTANCE, a name of the library, or a material file; what looks like a file and is none is told so.
+[[nodiscard]] Material material_from_argument(const std::string& words);
+
+}  // namespace lrcs

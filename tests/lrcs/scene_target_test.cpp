@@ -1,0 +1,115 @@
+#include "lrcs/scene_target.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "tests/lrcs/test_targets.h"
+
+namespace lrcs {
+namespace {
+
+using By = AssignRule::By;
+using Indices = std::vector<std::uint32_t>;
+
+// Four facets: panel 1, panel 2, body, nose; of file materials Gold, Silver, Gold, Tin.
+FacetMesh four_parts() {
+  FacetMesh mesh;
+  for (int k = 0; k < 4; ++k) add_triangle(mesh, {k + 0.0, 0, 0}, {k + 1.0, 0, 0}, {k + 0.0, 1, 0});
+  mesh.part = {0, 1, 2, 3};
+  mesh.part_names = {"panel 1", "panel 2", "body", "nose"};
+  mesh.file_material = {0, 1, 0, 2};
+  mesh.file_material_names = {"Gold", "Silver", "Tin"};
+  return mesh;
+}
+
+Scene scene_of(std::vector<AssignRule> rules) {
+  Scene scene;
+  for (const char* name : {"a", "b", "c"}) scene.materials.push_back({name, Lambert(0.5), 0.0, ""});
+  scene.assign = std::move(rules);
+  scene.assign_place = {"scene.yaml", 9, 3};
+  return scene;
+}
+
+AssignRule rule(By by, const std::string& pattern, const std::string& material) {
+  return {by, pattern, material, {"scene.yaml", 10, 5}};
+}
+
+std::string complaint_about(std::vector<AssignRule> rules) {
+  try {
+    (void)assign_materials(four_parts(), scene_of(std::move(rules)));
+    return "";
+  } catch (const InputError& wrong) {
+    return wrong.what();
+  }
+}
+
+TEST(AssignMaterials, GivesEveryFacetTheFirstRuleThatMatches) {
+  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "panel 2", "b"), rule(By::part, "panel*", "c"),
+                                                     rule(By::everything, "", "a")})),
+            (Indices{2, 1, 0, 0}));
+  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "panel*", "c"), rule(By::part, "panel 2", "b"),
+                                                     rule(By::everything, "", "a")})),
+            (Indices{2, 2, 0, 0}));
+  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::everything, "", "a"), rule(By::part, "nose", "b")})),
+            (Indices{0, 0, 0, 0}));
+}
+
+TEST(AssignMaterials, TakesShellPatterns) {
+  const auto matched = [](const std::string& pattern) {
+    return assign_materials(four_parts(), scene_of({rule(By::part, pattern, "b"), rule(By::everything, "", "a")}));
+  };
+  EXPECT_EQ(matched("*"), (Indices{1, 1, 1, 1}));
+  EXPECT_EQ(matched("panel ?"), (Indices{1, 1, 0, 0}));
+  EXPECT_EQ(matched("panel [13-9]"), (Indices{1, 0, 0, 0}));
+  EXPECT_EQ(matched("[!p]*"), (Indices{0, 0, 1, 1}));
+  EXPECT_EQ(matched("body"), (Indices{0, 0, 1, 0}));
+}
+
+TEST(AssignMaterials, GoesByTheMaterialsOfTheFileToo) {
+  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "body", "c"), rule(By::file_material, "Gold", "a"),
+                                                     rule(By::file_material, "[ST]i*", "b")})),
+            (Indices{0, 1, 2, 1}));
+}
+
+TEST(AssignMaterials, RefusesAPatternThatMatchesNothing) {
+  EXPECT_EQ(complaint_about({rule(By::part, "panle 1", "a"), rule(By::everything, "", "a")}),
+            "scene.yaml:10:5: pattern 'panle 1' matches no part of the target, did you mean 'panel 1'? (parts: 'panel "
+            "1', 'panel 2', 'body', 'nose')");
+  EXPECT_EQ(complaint_about({rule(By::file_material, "Lead", "a"), rule(By::everything, "", "a")}),
+            "scene.yaml:10:5: pattern 'Lead' matches no material of the target (materials in the file: 'Gold', "
+            "'Silver', 'Tin')");
+}
+
+TEST(AssignMaterials, RefusesToLeaveAFacetOut) {
+  EXPECT_EQ(complaint_about({rule(By::part, "panel*", "a"), rule(By::part, "body", "a")}),
+            "scene.yaml:9:3: 1 of 4 facets have no material, the first in part 'nose', file material 'Tin': expected "
+            "a rule for each, or a last rule {default: MATERIAL}");
+  EXPECT_NE(complaint_about({}), "");
+}
+
+TEST(LoadTarget, PlacesRepairsAndAssigns) {
+  std::string name = (std::filesystem::temp_directory_path() / "lrcs-target-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  // A triangle in the file's yz-plane, twice, and a third facet without area.
+  std::ofstream(folder / "t.off") << "OFF\n3 3 0\n0 0 0\n0 1000 0\n0 0 2000\n3 0 1 2\n3 0 1 2\n3 0 1 1\n";
+  Scene scene = scene_of({rule(By::everything, "", "b")});
+  scene.target.file = folder / "t.off";
+  scene.target.metres_per_unit = 1e-3;
+  scene.target.forward = "+y";
+  const LoadedTarget repaired = load_target(scene);
+  EXPECT_EQ(repaired.target.mesh.size(), 1U);
+  EXPECT_EQ(repaired.repaired.duplicate, 1U);
+  EXPECT_EQ(repaired.repaired.degenerate, 1U);
+  EXPECT_EQ(repaired.target.material, Indices{1});
+  EXPECT_DOUBLE_EQ(repaired.target.mesh.areas[0], 1.0);
+  EXPECT_EQ(repaired.target.mesh.positions[1], Vec3(1.0, 0.0, 0.0));
+  scene.target.repair = false;
+  EXPECT_EQ(load_target(scene).target.mesh.size(), 3U);
+  EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace lrcs
