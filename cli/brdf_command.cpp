@@ -49,6 +49,7 @@ void print_table(const Options& options, bool quiet) {
   const std::string table = table_of(material, theta_i_deg, options.step);
   if (!options.png.empty()) {
     std::vector<BrdfCurve> curves;
+    curves.reserve(theta_i_deg.size());
     for (const double angle : theta_i_deg) curves.push_back(curve_of(material.brdf, angle));
     draw_brdf_plot(options.png, curves, fmt::format("BRDF of {} in the plane of incidence", material.name));
   }

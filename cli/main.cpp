@@ -57,7 +57,7 @@ void check_verb(const CLI::App& app, const std::vector<std::string>& arguments) 
 }
 
 std::string value_complaint(const CLI::App& verb, const CLI::ParseError& wrong) {
-  const std::string message = wrong.what();
+  std::string message = wrong.what();
   if (wrong.get_name() != "ArgumentMismatch") return message;
   for (const CLI::Option* option : verb.get_options())
     if (option->count() > 1)
@@ -130,7 +130,10 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace lrcs
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the user's limit is an error to report, not the end
   return lrcs::run(argc, argv);
+} catch (...) {  // run() catches what its work throws; this is memory that ran out before or after
+  std::fputs("lrcs: could not finish\n", stderr);
+  return 1;
 }

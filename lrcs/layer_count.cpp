@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <tuple>
 #include <utility>
 
 namespace lrcs {
 namespace {
 
 // What lies outside the facet counts as more layers than edges can take away.
-constexpr int outside = 1 << 30;
+constexpr int outside = 1 << 28;
 
 double u_at(const LayerEdge& e, double v) {
   if (v == e.v0) return e.u0;
@@ -36,17 +38,9 @@ bool clip_to_unit_height(LayerEdge& e) {
   return true;
 }
 
-// Order of lines just above the bottom of a slab.
-constexpr auto just_above_bottom = [](const auto& a, const auto& b) {
-  if (a.bottom != b.bottom) return a.bottom < b.bottom;
-  if (a.top != b.top) return a.top < b.top;
-  return a.rank < b.rank;
-};
-
 }  // namespace
 
-double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double tolerance) {
-  tolerance_ = tolerance;
+void LayerCount::take_edges(const std::vector<LayerEdge>& edges) {
   edges_.clear();
   edges_.push_back({0.0, 0.0, 0.0, 1.0, -outside});
   edges_.push_back({1.0, 0.0, 0.0, 1.0, +outside});
@@ -61,7 +55,12 @@ double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double to
   std::sort(edges_.begin(), edges_.end(), [](const LayerEdge& a, const LayerEdge& b) { return a.v0 < b.v0; });
   std::sort(heights_.begin(), heights_.end());
   heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
+}
 
+double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double tolerance) {
+  tolerance_ = tolerance;
+  take_edges(edges);
+  place_.resize(edges_.size());
   double area = 0.0;
   std::size_t next = 0;
   active_.clear();
@@ -70,7 +69,7 @@ double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double to
     std::erase_if(active_, [&](std::uint32_t e) { return edges_[e].v1 <= low; });
     for (; next < edges_.size() && edges_[next].v0 <= low; ++next) active_.push_back(static_cast<std::uint32_t>(next));
     collect_slab(low, heights_[k + 1]);
-    area += slab_area(lines_, heights_[k + 1] - low);
+    area += (heights_[k + 1] - low) * slab_area();
   }
   return area;
 }
@@ -94,55 +93,77 @@ void LayerCount::collect_slab(double low, double high) {
 }
 
 // Ends that differ by rounding only become equal, so that all later comparisons are plain and agree with each other.
-void LayerCount::snap(Lines& lines, double Line::*end) const {
-  std::sort(lines.begin(), lines.end(), [end](const Line& a, const Line& b) { return a.*end < b.*end; });
-  double first = lines.front().*end;
-  for (Line& line : lines) {
+void LayerCount::snap(double Line::*end) {
+  std::sort(lines_.begin(), lines_.end(), [end](const Line& a, const Line& b) { return a.*end < b.*end; });
+  double first = lines_.front().*end;
+  for (Line& line : lines_) {
     if (line.*end - first > tolerance_) first = line.*end;
     line.*end = first;
   }
 }
 
-// Area of the gaps between the layers. Where two neighbours change places on the way up, the slab is split at their
-// crossing: every pair of lines crosses once at most, so this ends.
-double LayerCount::slab_area(const Lines& all, double height) {
-  struct Part {
-    Lines lines;
-    double height;
-  };
-  double area = 0.0;
-  std::vector<Part> parts;
-  parts.push_back({all, height});
-  while (!parts.empty()) {
-    Part part = std::move(parts.back());
-    parts.pop_back();
-    Lines& lines = part.lines;
-    snap(lines, &Line::top);
-    snap(lines, &Line::bottom);
-    std::sort(lines.begin(), lines.end(), just_above_bottom);
+bool LayerCount::Crossing::operator>(const Crossing& other) const {
+  return std::tie(height, left, right) > std::tie(other.height, other.left, other.right);
+}
 
-    std::size_t k = 0;
-    while (k + 1 < lines.size() && lines[k].top <= lines[k + 1].top) ++k;
-    if (k + 1 < lines.size()) {
-      const double apart_below = lines[k + 1].bottom - lines[k].bottom;
-      const double apart_above = lines[k].top - lines[k + 1].top;
-      const double t = apart_below / (apart_below + apart_above);
-      Part upper{lines, part.height * (1.0 - t)};
-      part.height *= t;
-      for (std::size_t i = 0; i < lines.size(); ++i)
-        lines[i].top = upper.lines[i].bottom = lines[i].bottom + t * (lines[i].top - lines[i].bottom);
-      lines[k].top = upper.lines[k].bottom = lines[k + 1].top;
-      parts.push_back(std::move(upper));
-      parts.push_back(std::move(part));
-      continue;
-    }
-    int layers = outside;
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-      layers += lines[i].step;
-      if (layers == 0)
-        area += part.height * 0.5 * ((lines[i + 1].bottom - lines[i].bottom) + (lines[i + 1].top - lines[i].top));
-    }
+// Notes where a line meets its right neighbour, if it does below the top.
+void LayerCount::expect_crossing(std::size_t left) {
+  const Line &a = lines_[left], &b = lines_[left + 1];
+  if (a.top <= b.top) return;
+  const double apart_below = b.bottom - a.bottom;
+  crossings_.push_back({apart_below / (apart_below + (a.top - b.top)), a.rank, b.rank});
+  std::push_heap(crossings_.begin(), crossings_.end(), std::greater<>());
+}
+
+double LayerCount::gap_area(std::size_t left, double height) const {
+  const Gap& gap = gaps_[left];
+  if (gap.layers != 0) return 0.0;
+  const double below = lines_[left + 1].bottom - lines_[left].bottom;
+  const double above = lines_[left + 1].top - lines_[left].top;
+  const double middle = 0.5 * (gap.since + height);
+  return (height - gap.since) * (below + middle * (above - below));
+}
+
+// Area of the gaps between the layers, in units of the slab's height. Two lines that change places are then in the
+// order they have at the top, and stay so: every pair crosses once at most, in whatever order rounding lets crossings
+// come.
+double LayerCount::slab_area() {
+  snap(&Line::top);
+  snap(&Line::bottom);
+  std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
+    return std::tie(a.bottom, a.top, a.rank) < std::tie(b.bottom, b.top, b.rank);
+  });
+  gaps_.clear();
+  crossings_.clear();
+  int layers = outside;
+  for (std::uint32_t k = 0; k < lines_.size(); ++k) {
+    layers += lines_[k].step;
+    gaps_.push_back({layers, 0.0});
+    place_[lines_[k].rank] = k;
+    if (k + 1 < lines_.size()) expect_crossing(k);
   }
+  double area = 0.0;
+  double height = 0.0;
+  const auto last = lines_.size() - 1;
+  while (!crossings_.empty()) {
+    std::pop_heap(crossings_.begin(), crossings_.end(), std::greater<>());
+    const Crossing crossing = crossings_.back();
+    crossings_.pop_back();
+    const std::size_t k = place_[crossing.left];
+    if (place_[crossing.right] != k + 1) continue;  // no longer, or not yet, neighbours
+    height = std::max(height, crossing.height);
+    const std::size_t first_gap = k > 0 ? k - 1 : 0, last_gap = std::min(k + 1, last - 1);
+    for (std::size_t gap = first_gap; gap <= last_gap; ++gap) {
+      area += gap_area(gap, height);
+      gaps_[gap].since = height;
+    }
+    std::swap(lines_[k], lines_[k + 1]);
+    std::swap(place_[crossing.left], place_[crossing.right]);
+    gaps_[k].layers += lines_[k].step - lines_[k + 1].step;
+    if (k > 0) expect_crossing(k - 1);
+    if (k + 2 <= last) expect_crossing(k + 1);
+  }
+  for (std::size_t gap = 0; gap < last; ++gap) area += gap_area(gap, 1.0);
   return area;
 }
 

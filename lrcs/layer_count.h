@@ -12,9 +12,10 @@ struct LayerEdge {
 
 // Counts the layers that lie over a facet, from their outlines alone, and measures where there are none.
 // The layers are the polygons whose outlines sum up to the edges; edges that two layers share with opposite steps may
-// be left out. Horizontal slabs between the ends and the crossings of the edges hold trapezoids; the count is walked
-// from left to right in each. error: positions closer than `tolerance` (the rounding error of the coordinates) are
-// taken as one, so the area is off by at most 2 tolerance per edge. source: Appel, "The notion of quantitative
+// be left out. Horizontal slabs between the ends of the edges hold lines from bottom to top; the count is walked from
+// left to right at the bottom, and two neighbours change places where they cross on the way up. error: positions closer
+// than `tolerance` (the rounding error of the coordinates) are taken as one, so the area is off by at most 2 tolerance
+// per edge. cost: edges per slab and crossings, each times a logarithm. source: Appel, "The notion of quantitative
 // invisibility", Proc. 22nd ACM National Conf., 387-393, 1967.
 class LayerCount {
  public:
@@ -27,16 +28,31 @@ class LayerCount {
     int step;
     std::uint32_t rank;  // makes the order of coincident lines definite
   };
-  using Lines = std::vector<Line>;
+  struct Gap {  // between a line and its right neighbour
+    int layers;
+    double since;  // share of the slab's height from which these two are neighbours
+  };
+  struct Crossing {
+    double height;              // share of the slab's height
+    std::uint32_t left, right;  // ranks of the lines
+    bool operator>(const Crossing& other) const;
+  };
 
+  void take_edges(const std::vector<LayerEdge>& edges);
   void collect_slab(double low, double high);
-  double slab_area(const Lines& all, double height);
-  void snap(Lines& lines, double Line::*end) const;
+  [[nodiscard]] double slab_area();
+  void snap(double Line::*end);
+  void expect_crossing(std::size_t left);
+  // The gap's area [in units of the slab's height] from its beginning to `height`, if nothing covers it.
+  [[nodiscard]] double gap_area(std::size_t left, double height) const;
 
   std::vector<LayerEdge> edges_;
   std::vector<std::uint32_t> active_;
   std::vector<double> heights_;
-  Lines lines_;
+  std::vector<Line> lines_;           // of the slab at hand, from left to right
+  std::vector<Gap> gaps_;             // gaps_[k]: right of lines_[k]
+  std::vector<Crossing> crossings_;   // a heap, the lowest first
+  std::vector<std::uint32_t> place_;  // of a line by its rank
   double tolerance_ = 0.0;
 };
 

@@ -39,6 +39,7 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
 
 std::vector<std::string> names_of(const std::vector<Material>& materials) {
   std::vector<std::string> names;
+  names.reserve(materials.size());
   for (const Material& m : materials) names.push_back(m.name);
   return names;
 }

@@ -33,6 +33,7 @@ std::string listed(const std::vector<std::string>& names) {
 // Does the rule match each of the names? An error if it matches none.
 std::vector<bool> matches(const AssignRule& rule, const std::vector<std::string>& names) {
   std::vector<bool> matched;
+  matched.reserve(names.size());
   for (const auto& name : names) matched.push_back(fnmatch(rule.pattern.c_str(), name.c_str(), 0) == 0);
   if (std::find(matched.begin(), matched.end(), true) == matched.end()) {
     const bool part = rule.by == AssignRule::By::part;

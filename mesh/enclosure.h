@@ -11,6 +11,7 @@ namespace lrcs {
 // A point is inside a shell that a ray from it crosses more often outward than inward, or less often.
 // cost: one tree over all facets; five rays for a shell whose box lies in another's. After `most_work` boxes and facets
 // held against rays (seconds), every such shell is said to lie inside another, so that it keeps its side.
+// check: tests/mesh/enclosure_test.cpp
 class Enclosure {
  public:
   static constexpr std::size_t most_work = 20'000'000;

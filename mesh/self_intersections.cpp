@@ -49,12 +49,24 @@ class PairTest {
     return shared;
   }
 
+  // Their third vertices lie on the same side of the edge, in one plane: in a coordinate plane that does not flatten
+  // them.
   [[nodiscard]] bool fold_onto_each_other(const Corners& a, const Corners& b) const {
-    const Point p = point(a[0]);
-    const Point q = point(a[1]);
-    const Point r = point(a[2]);
-    const Point s = point(b[2]);
-    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
+    if (!CGAL::coplanar(point(a[0]), point(a[1]), point(a[2]), point(b[2]))) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto side = side_of_edge(a, axis);
+      if (side != CGAL::COLLINEAR) return side == side_of_edge(b, axis);
+    }
+    return false;
+  }
+
+  // On which side of the edge from corner 0 to corner 1 corner 2 lies, seen along a coordinate axis.
+  [[nodiscard]] CGAL::Orientation side_of_edge(const Corners& c, int axis) const {
+    const auto seen = [&](std::uint32_t vertex) {
+      const Vec3& p = mesh_.positions[vertex];
+      return Kernel::Point_2(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+    };
+    return CGAL::orientation(seen(c[0]), seen(c[1]), seen(c[2]));
   }
 
   [[nodiscard]] Point point(std::uint32_t vertex) const {
@@ -85,10 +97,10 @@ SelfIntersections self_intersections(const FacetMesh& welded, std::size_t most_t
   const PairTest test(welded);
   std::vector<Box> boxes = boxes_of(welded);
   SelfIntersections result;
-  std::size_t tests = 0;
+  std::size_t left = most_tests + 20 * welded.size();
   try {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      if (tests++ == most_tests) throw Enough();
+      if (left-- == 0) throw Enough();
       result.pairs += test.intersect(a.info(), b.info()) ? 1 : 0;
     });
   } catch (const Enough&) {

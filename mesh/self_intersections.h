@@ -18,7 +18,8 @@ constexpr std::size_t most_self_intersection_tests = 10'000'000;
 // Exact. Facets that share an edge count where they lie on each other; with the same three vertices (a sheet and its
 // back) they do not count. Facets that touch without sharing vertices (a corner on another facet's edge, two bodies
 // that lie face to face) do count.
-// Only pairs of facets whose boxes overlap are tested; after `most_tests` of them the count stops and is not complete.
+// Only pairs of facets whose boxes overlap are tested; after `most_tests` of them, and 20 more for every facet (its
+// neighbours are tested too), the count stops and is not complete.
 // The order of the tests is fixed, so the same mesh gives the same count.
 // domain: a welded mesh without facets of area zero (repair.h).
 // check: against all pairs, and on bodies put into each other (tests/mesh/self_intersections_test.cpp).

@@ -12,7 +12,7 @@
 namespace lrcs {
 namespace {
 
-constexpr int directions = 41;
+constexpr int directions = 21;
 
 bool is_whole(const std::filesystem::path& file) {
   const std::string content = content_of(file);
@@ -28,7 +28,7 @@ bool is_whole(const std::filesystem::path& file) {
 TEST(KilledSweep, LeavesWholeFilesOnly) {
   const ScratchFolder folder;
   folder.write("box.stl", stl_sphere(7));
-  std::string text = scene_with("step: 10", "step: 1") + "output: {facets: all}\n";
+  std::string text = scene_with("step: 10", "step: 2") + "output: {facets: all}\n";
   text.replace(text.find("panel*"), 6, "b*");
   folder.write("scene.yaml", text);
   const std::vector<std::string> words{"sweep", "scene.yaml", "-o", "out", "-q"};
