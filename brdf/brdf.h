@@ -13,6 +13,7 @@ namespace lrcs {
 //                             positive. On a scalar template: double, long double, dual numbers.
 //   f_cos_cos_retro(cosine)   the same at wi = wr: the monostatic case.
 //   for_pair(wi, wr)          the same as a function of the normal, for many normals: k(n) == f_cos_cos(wi, wr, n).
+//   pair_error(wi, wr)        relative error [1] of what depends on the pair alone, for wi and wr rounded to doubles.
 //   largest()                 [1/sr] a bound of f_cos_cos, finite.
 //   is_reciprocal             f_r(wi, wr) == f_r(wr, wi).
 template <class M>
@@ -20,6 +21,7 @@ concept BrdfModel = requires(const M model, const Vec3 w, double cosine) {
   { model.f_cos_cos(w, w, w) } -> std::same_as<double>;
   { model.f_cos_cos_retro(cosine) } -> std::same_as<double>;
   { model.for_pair(w, w)(w) } -> std::same_as<double>;
+  { model.pair_error(w, w) } -> std::same_as<double>;
   { model.largest() } -> std::same_as<double>;
   { M::is_reciprocal } -> std::convertible_to<bool>;
 };

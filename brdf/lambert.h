@@ -36,6 +36,10 @@ class LambertModel {
     return product(cos_theta, cos_theta);
   }
 
+  [[nodiscard]] double pair_error(const Direction<double>& /*wi*/, const Direction<double>& /*wr*/) const {
+    return 0.0;
+  }
+
   template <class S>
   [[nodiscard]] auto for_pair(const Direction<S>& wi, const Direction<S>& wr) const {
     return [model = *this, wi, wr](const Direction<S>& n) { return model.f_cos_cos(wi, wr, n); };

@@ -58,6 +58,19 @@ class WuModel {
     return WuPair<T, S>(p_, wi, wr);
   }
 
+  // value: exp[b x^a], x = 1 - cos gamma, changes by |b| a x^a times the relative change of x, which the rounding of wi
+  // and
+  //   wr makes 8 u/|wi - wr| at most. In the mirrored convention x is another for each facet: the worst of all.
+  [[nodiscard]] double pair_error(const Direction<double>& wi, const Direction<double>& wr) const {
+    constexpr double u = std::numeric_limits<double>::epsilon() / 2.0;
+    const double b = std::abs(plain_value(p_.b)), a = plain_value(p_.a);
+    const auto at = [&](double chord) {
+      return chord > 0.0 ? b * std::pow(chord * chord / 4.0, a) * (a / chord + 1.0) : 0.0;
+    };
+    const double worst = p_.azimuth_of_specular == 0 ? std::max(at(2.0), at(16.0 * u)) : at((wi - wr).norm());
+    return 16.0 * u * worst;
+  }
+
   // G alone [1], in [0, 1]; 0 where either cosine is not positive.
   template <class S>
   [[nodiscard]] ResultScalar<T, S> shadowing(const Direction<S>& wi, const Direction<S>& wr,

@@ -10,8 +10,27 @@
 namespace lrcs {
 namespace {
 
-// f_r cos(theta_i) cos(theta_r) of every facet of one material, from the side that is seen. Others are left alone.
-void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr, std::vector<double>& out) {
+// Cosines below this may have either sign, by rounding of normal and direction.
+constexpr double doubtful_cosine = 16.0 * 0x1p-53;
+
+// For a facet that someone sees edge-on, as far as rounding can tell: the most that either side may return.
+template <class Pair>
+double largest_edge_on(const Pair& pair, const Vec3& n, const Vec3& wi, const Vec3& wr, Sides sides) {
+  double most = 0.0;
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0.0 && sides == Sides::front) continue;
+    Vec3 m = side * n;
+    for (const Vec3& w : {wi, wr})
+      if (std::abs(m.dot(w)) <= doubtful_cosine) m += 2.0 * doubtful_cosine * w;
+    most = std::max(most, pair(m));
+  }
+  return most;
+}
+
+// f_r cos(theta_i) cos(theta_r) of every facet of one material, from the side that is seen; its largest value where the
+// facet is perhaps edge-on. Others are left alone.
+void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr,
+             const std::vector<Estimate>& seen, std::vector<double>& out) {
   const bool retro = wi == wr;
   std::visit(
       [&](const auto& model) {
@@ -20,14 +39,25 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
           if (target.material[k] != material) continue;
           const Vec3& n = target.mesh.normals[k];
           const double cos_i = n.dot(wi);
-          if (cos_i < 0.0 && target.sides == Sides::front) continue;
-          if (retro)
+          const bool perhaps_edge_on = seen[k].value == 0.0 && seen[k].bound == 1.0;
+          if (perhaps_edge_on && !retro)
+            out[k] = largest_edge_on(pair, n, wi, wr, target.sides);
+          else if (cos_i < 0.0 && target.sides == Sides::front)
+            continue;
+          else if (retro)
             out[k] = model.f_cos_cos_retro(std::abs(cos_i));
           else
             out[k] = cos_i < 0.0 ? pair(Vec3(-n)) : pair(n);
         }
       },
       target.materials[material].brdf);
+}
+
+double pair_error(const Target& target, const Vec3& wi, const Vec3& wr) {
+  double most = 0.0;
+  for (const Material& m : target.materials)
+    most = std::max(most, std::visit([&](const auto& model) { return model.pair_error(wi, wr); }, m.brdf));
+  return most;
 }
 
 // Rounding of a model's value, relative: the angle's rounding counts 1/cos near grazing, the rest is a few dozen
@@ -40,14 +70,15 @@ CrossSection cross_section(const Target& target, const Visibility& visibility, c
                            const Vec3& to_receiver) {
   const std::size_t facets = target.mesh.size();
   std::vector<double> reflected(facets, 0.0);
+  const auto seen = visibility.seen_fraction(to_transmitter, to_receiver);
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
-    reflect(target, m, to_transmitter, to_receiver, reflected);
+    reflect(target, m, to_transmitter, to_receiver, seen, reflected);
+  const double of_pair = pair_error(target, to_transmitter, to_receiver);
 
   CrossSection result;
   result.facet_sigma.resize(facets);
   result.seen_fraction.resize(facets);
   CompensatedSum sigma, bound, seen_area;
-  const auto seen = visibility.seen_fraction(to_transmitter, to_receiver);
   for (std::size_t k = 0; k < facets; ++k) {
     const double cos_i = target.mesh.normals[k].dot(to_transmitter);
     const double cos_r = target.mesh.normals[k].dot(to_receiver);
@@ -58,7 +89,7 @@ CrossSection cross_section(const Target& target, const Visibility& visibility, c
     sigma.add(result.facet_sigma[k]);
     seen_area.add(area * seen[k].value * std::abs(cos_r));
     const double grazing = std::min(std::abs(cos_i), std::abs(cos_r));
-    const double relative = grazing > model_error ? model_error / grazing : 1.0;
+    const double relative = of_pair + (grazing > model_error ? model_error / grazing : 1.0);
     bound.add(full * (seen[k].bound + seen[k].value * relative));
   }
   result.sigma = {sigma.value(), bound.value()};

@@ -10,8 +10,6 @@ namespace lrcs {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-// Heights nearer to zero than their rounding error times this are evaluated exactly.
-constexpr double refine_below = 0x1p16;
 
 double turn_of(double au, double av, double bu, double bv, double cu, double cv) {
   return (bu - au) * (cv - av) - (bv - av) * (cu - au);
@@ -41,11 +39,12 @@ void FacetView::set_frame(std::uint32_t facet) {
   frame_.normal = facet_cross(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
 }
 
-// Does some viewer see the facet edge-on, as far as rounding can tell?
-bool FacetView::edge_on() const {
-  const double rounding = 4.0 * unit_roundoff * frame_.normal.lpNorm<1>();
-  return std::any_of(viewers_.begin(), viewers_.end(),
-                     [&](const Viewer& viewer) { return std::abs(frame_.normal.dot(viewer.direction)) <= rounding; });
+FacetView::EdgeOn FacetView::edge_on(const Vec3& direction) const {
+  const Vec3 terms = frame_.normal.cwiseProduct(direction);
+  if (terms.isZero(0.0)) return EdgeOn::exactly;
+  // Five roundings of the product, and the direction's own.
+  const double rounding = 8.0 * unit_roundoff * frame_.normal.lpNorm<1>();
+  return std::abs(terms.sum()) <= rounding ? EdgeOn::perhaps : EdgeOn::no;
 }
 
 bool FacetView::one_side_faces_all() const {
@@ -62,7 +61,7 @@ void FacetView::turn_frame(const Vec3& direction) {
   frame_.scale = frame_.normal.lpNorm<1>() / std::abs(facing);
   ++stamp_;
   constexpr std::array<std::array<double, 2>, 3> corner{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
-  for (std::size_t k = 0; k < 3; ++k) memo_[frame_.ids[k]] = {corner[k][0], corner[k][1], 0.0, true, stamp_};
+  for (std::size_t k = 0; k < 3; ++k) memo_[frame_.ids[k]] = {corner[k][0], corner[k][1], 0.0, 0.0, stamp_};
 }
 
 const FacetView::Seen& FacetView::seen(std::uint32_t vertex) {
@@ -74,17 +73,32 @@ const FacetView::Seen& FacetView::seen(std::uint32_t vertex) {
   s.v = frame_.to_v.dot(x);
   s.height = frame_.facing * terms.sum();
   // Four roundings each term: difference, normal (two units), product; then two sums.
-  const double error = 8.0 * unit_roundoff * terms.lpNorm<1>();
-  s.exact = std::abs(s.height) > refine_below * error || error == 0.0;
+  s.error = 8.0 * unit_roundoff * terms.lpNorm<1>();
   s.stamp = stamp_;
   return s;
 }
 
 void FacetView::refine(std::uint32_t vertex) {
   Seen& s = memo_[vertex];
+  if (s.error <= unit_roundoff * std::abs(s.height)) return;
   const auto& p = mesh_.positions;
   s.height = frame_.facing * exact_height(p[frame_.ids[0]], p[frame_.ids[1]], p[frame_.ids[2]], p[vertex]);
-  s.exact = true;
+  s.error = unit_roundoff * std::abs(s.height);
+}
+
+void FacetView::refine_cut(std::uint32_t a, std::uint32_t b, double slack) {
+  const Seen &p = memo_[a], &q = memo_[b];
+  if (p.height * q.height >= 0.0) return;
+  const double length = std::abs(p.u - q.u) + std::abs(p.v - q.v);
+  const auto cut_error = [&] {
+    const double apart = p.height - q.height;
+    return (std::abs(p.height) * q.error + std::abs(q.height) * p.error) / (apart * apart) * length;
+  };
+  if (cut_error() > slack) {
+    refine(a);
+    refine(b);
+  }
+  cut_error_ = std::max(cut_error_, cut_error());
 }
 
 bool FacetView::ranks_before(std::uint32_t blocker, std::uint32_t facet, const Vec3& direction) const {
@@ -97,7 +111,7 @@ bool FacetView::ranks_before(std::uint32_t blocker, std::uint32_t facet, const V
 bool FacetView::hidden_by(std::uint32_t blocker, std::uint32_t facet, std::size_t viewer) {
   const auto& ids = mesh_.facets[blocker];
   const std::array<const Seen*, 3> p{&seen(ids[0]), &seen(ids[1]), &seen(ids[2])};
-  const auto certainly_behind = [](const Seen* s) { return s->exact && s->height <= 0.0; };
+  const auto certainly_behind = [](const Seen* s) { return s->sign_is_certain() && s->height <= 0.0; };
   if (std::all_of(p.begin(), p.end(), certainly_behind) &&
       (p[0]->height < 0.0 || p[1]->height < 0.0 || p[2]->height < 0.0))
     return false;
@@ -123,15 +137,16 @@ bool FacetView::hidden_by(std::uint32_t blocker, std::uint32_t facet, std::size_
   }
 
   for (std::size_t k = 0; k < 3; ++k)
-    if (!p[k]->exact) refine(ids[k]);
+    if (!p[k]->sign_is_certain()) refine(ids[k]);
   const auto [low, high] = std::minmax({p[0]->height, p[1]->height, p[2]->height});
   if (low == 0.0 && high == 0.0) {
     if (!ranks_before(blocker, facet, viewers_[viewer].direction)) return false;
   } else if (high <= 0.0) {
     return false;
   }
-  if (covers && low >= 0.0) return true;
   reach_ = std::max(reach_, reach);
+  if (covers && low >= 0.0) return true;
+  for (std::size_t k = 0; k < 3; ++k) refine_cut(ids[k], ids[(k + 1) % 3], 64.0 * slack);
   add_outline(ids, turn, viewer);
   return false;
 }
@@ -142,7 +157,7 @@ void FacetView::add_outline(const std::array<std::uint32_t, 3>& ids, int turn, s
   const auto cut = [this](std::uint32_t a, std::uint32_t b) {
     const Seen &p = memo_[std::min(a, b)], &q = memo_[std::max(a, b)];
     const double t = p.height / (p.height - q.height);
-    return Seen{p.u + t * (q.u - p.u), p.v + t * (q.v - p.v), 0.0, true, 0};
+    return Seen{p.u + t * (q.u - p.u), p.v + t * (q.v - p.v), 0.0, 0.0};
   };
   Seen enters{}, leaves{};
   bool is_cut = false;
@@ -200,29 +215,46 @@ void FacetView::seen_fractions(std::vector<Estimate>& fraction) {
 Estimate FacetView::seen_fraction(std::uint32_t place) {
   const std::uint32_t facet = tree_.order()[place];
   set_frame(facet);
-  if (edge_on()) return {0.0, 1.0};
+  bool doubtful = false;
+  for (const Viewer& viewer : viewers_) {
+    const EdgeOn edge = edge_on(viewer.direction);
+    if (edge == EdgeOn::exactly) return {};
+    doubtful = doubtful || edge == EdgeOn::perhaps;
+  }
+  if (doubtful) return {0.0, 1.0};
   if (!one_side_faces_all()) return {};
   keyed_.clear();
   next_cut_ = 0;
   double error = 0.0;
-  for (std::size_t k = 0; k < viewers_.size(); ++k) {
-    const Viewer& viewer = viewers_[k];
-    turn_frame(viewer.direction);
+  bool hidden = false;
+  for (std::size_t k = 0; k < viewers_.size() && !hidden; ++k) {
+    turn_frame(viewers_[k].direction);
     reach_ = std::max(frame_.e1.cwiseAbs().maxCoeff(), frame_.e2.cwiseAbs().maxCoeff());
-    const ProjectedBox& box = viewer.projected.box_of(place);
-    for (const std::uint32_t other : viewer.near_leaf) {
-      const ProjectedBox& before = viewer.projected.box_of(other);
-      if (other == place || before.near < box.far || !overlaps(before, box)) continue;
-      if (hidden_by(tree_.order()[other], facet, k)) return {};
-    }
-    error = std::max(error, 8.0 * unit_roundoff * std::max({1.0, reach_ * frame_.stretch, frame_.scale}));
+    cut_error_ = 0.0;
+    hidden = add_layers(place, k);
+    const double rounding = 8.0 * unit_roundoff * std::max({1.0, reach_ * frame_.stretch, frame_.scale});
+    error = std::max(error, rounding + cut_error_);
   }
+  if (hidden) return {0.0, std::min(1.0, 16.0 * error)};
   sum_edges();
   const double fraction = 2.0 * count_.uncovered_area(outline_, error);
-  const double bound = 4.0 * error * static_cast<double>(outline_.size() + 4);
+  const double bound = std::min(1.0, 4.0 * error * static_cast<double>(outline_.size() + 4));
   assert(fraction >= -bound && fraction <= 1.0 + bound);
   // What sticks out is rounding, within the bound.
   return {std::clamp(fraction, 0.0, 1.0), bound};
+}
+
+// All that stands before the facet toward one viewer. True: something covers it whole.
+bool FacetView::add_layers(std::uint32_t place, std::size_t viewer) {
+  const ProjectedTree& projected = viewers_[viewer].projected;
+  const ProjectedBox& box = projected.box_of(place);
+  const std::uint32_t facet = tree_.order()[place];
+  for (const std::uint32_t other : viewers_[viewer].near_leaf) {
+    const ProjectedBox& before = projected.box_of(other);
+    if (other == place || before.near < box.far || !overlaps(before, box)) continue;
+    if (hidden_by(tree_.order()[other], facet, viewer)) return true;
+  }
+  return false;
 }
 
 }  // namespace lrcs

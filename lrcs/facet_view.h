@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,8 +29,10 @@ class FacetView {
   // A vertex relative to the facet looked at: x - t0 = u e1 + v e2 + (depth) d, and its height over the facet's plane.
   struct Seen {
     double u, v, height;
-    bool exact;  // the height's sign is certain, and its value accurate to 2^-16 or better
+    double error;  // |height - true height| <= error; its sign is certain where error < |height|, or error == 0
     std::uint32_t stamp = 0;
+
+    [[nodiscard]] bool sign_is_certain() const { return std::abs(height) > error || error == 0.0; }
   };
   struct Frame {
     Vec3 origin, e1, e2, normal;       // the facet; normal = e1 x e2, not normalised
@@ -53,12 +56,17 @@ class FacetView {
   [[nodiscard]] Estimate seen_fraction(std::uint32_t place);
 
   void set_frame(std::uint32_t facet);
-  [[nodiscard]] bool edge_on() const;
+  // How surely a viewer sees the facet edge-on: exactly, or as far as rounding can tell.
+  enum class EdgeOn { no, perhaps, exactly };
+  [[nodiscard]] EdgeOn edge_on(const Vec3& direction) const;
   [[nodiscard]] bool one_side_faces_all() const;
   void turn_frame(const Vec3& direction);
+  [[nodiscard]] bool add_layers(std::uint32_t place, std::size_t viewer);
   [[nodiscard]] bool hidden_by(std::uint32_t blocker, std::uint32_t facet, std::size_t viewer);
   const Seen& seen(std::uint32_t vertex);
   void refine(std::uint32_t vertex);
+  // Makes sure that the point where an edge passes the facet's plane is known as well as other points: to `slack`.
+  void refine_cut(std::uint32_t a, std::uint32_t b, double slack);
   [[nodiscard]] bool ranks_before(std::uint32_t blocker, std::uint32_t facet, const Vec3& direction) const;
   void add_outline(const std::array<std::uint32_t, 3>& ids, int turn, std::size_t viewer);
   void add_edge(std::uint64_t key, const Seen& a, const Seen& b, int turns);
@@ -70,7 +78,8 @@ class FacetView {
   Frame frame_{};
   std::vector<Seen> memo_;
   std::uint32_t stamp_ = 0;
-  double reach_ = 0.0;  // largest |x - t0| among the vertices of the layers
+  double reach_ = 0.0;      // largest |x - t0| among the vertices of the layers
+  double cut_error_ = 0.0;  // largest error of a point where an edge passes the facet's plane
   std::uint64_t next_cut_ = 0;
   std::vector<KeyedEdge> keyed_;
   std::vector<LayerEdge> outline_;

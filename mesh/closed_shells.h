@@ -10,7 +10,7 @@ namespace lrcs {
 struct ClosedShell {
   std::vector<std::uint32_t> facets;    // ascending
   std::vector<std::uint32_t> reversed;  // those of them whose winding must be reversed for the shell to face outward
-  double volume = 0.0;                  // enclosed [m^3 in the body frame]; negative for a cavity
+  double volume = 0.0;                  // enclosed [cube of the positions' unit]; negative for a cavity
   bool in_one_part = false;             // closed without facets of another part
 };
 

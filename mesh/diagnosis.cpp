@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -16,7 +17,7 @@ namespace {
 
 double area_of(const FacetMesh& mesh, std::size_t facet) {
   const auto [a, b, c] = mesh.corners(facet);
-  return 0.5 * facet_cross(a, b, c).stableNorm();
+  return 0.5 * facet_cross(a, b, c).stableNorm() * mesh.metres_per_unit * mesh.metres_per_unit;
 }
 
 void count_vertices(const FacetMesh& mesh, Diagnosis& d) {
@@ -30,7 +31,7 @@ void count_vertices(const FacetMesh& mesh, Diagnosis& d) {
     }
   }
   d.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  if (mesh.size() > 0) d.box = {box.min(), box.max()};
+  if (mesh.size() > 0) d.box = {mesh.metres_per_unit * box.min(), mesh.metres_per_unit * box.max()};
 }
 
 void measure_parts(const FacetMesh& mesh, Diagnosis& d) {
@@ -76,6 +77,7 @@ void count_edges(const FacetMesh& repaired, Diagnosis& d) {
 void measure_volumes(const FacetMesh& repaired, Diagnosis& d) {
   std::vector<std::size_t> left(d.parts.size(), 0);  // facets that are in no closed shell of the part
   for (const std::uint32_t part : repaired.part) ++left[part];
+  const double cubic_metres = std::pow(repaired.metres_per_unit, 3);
   CompensatedSum volume;
   std::vector<CompensatedSum> volumes(d.parts.size());
   for (const ClosedShell& shell : closed_shells(repaired)) {
@@ -85,10 +87,10 @@ void measure_volumes(const FacetMesh& repaired, Diagnosis& d) {
     volumes[part].add(shell.volume);
     left[part] -= shell.facets.size();
   }
-  d.volume = volume.value();
+  d.volume = cubic_metres * volume.value();
   for (std::size_t p = 0; p < d.parts.size(); ++p) {
     d.parts[p].closed = left[p] == 0 && d.parts[p].area > 0.0;
-    if (d.parts[p].closed) d.parts[p].volume = volumes[p].value();
+    if (d.parts[p].closed) d.parts[p].volume = cubic_metres * volumes[p].value();
   }
 }
 

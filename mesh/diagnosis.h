@@ -9,7 +9,7 @@
 
 namespace lrcs {
 
-// What is known of one part. Lengths in the mesh's unit: metres in the body frame.
+// What is known of one part. Lengths in metres by the mesh's metres_per_unit.
 struct PartDiagnosis {
   std::string name;
   std::size_t facets = 0;

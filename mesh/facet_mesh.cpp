@@ -81,7 +81,7 @@ void measure_facets(FacetMesh& mesh) {
     const auto [a, b, c] = mesh.corners(k);
     const Vec3 cross = facet_cross(a, b, c);
     const double length = cross.stableNorm();
-    mesh.areas[k] = 0.5 * length;
+    mesh.areas[k] = 0.5 * length * mesh.metres_per_unit * mesh.metres_per_unit;
     mesh.normals[k] = length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
   }
 }

@@ -11,9 +11,9 @@ namespace lrcs {
 
 // A target as triangular facets, in arrays: what the integrator reads.
 // shape: every per-facet array has one entry a facet. Positions may repeat: `facets` says nothing of connectivity.
-// frame: as the file gives it until placed in the body frame [m] (mesh/body_frame.h).
+// frame: the file's axes until place_in_body_frame() (mesh/body_frame.h).
 struct FacetMesh {
-  std::vector<Vec3> positions;                       // vertices
+  std::vector<Vec3> positions;                       // vertices, in the file's unit: exactly as they were read
   std::vector<std::array<std::uint32_t, 3>> facets;  // indices into positions, counter-clockwise seen from the front
   std::vector<std::uint32_t> part;                   // index into part_names
   std::vector<std::uint32_t> file_material;          // index into file_material_names
@@ -21,9 +21,11 @@ struct FacetMesh {
   std::vector<std::string> part_names;           // never empty where there are facets; "" where the file has no names
   std::vector<std::string> file_material_names;  // the same; "" where the file names no material
 
+  double metres_per_unit = 1.0;  // [m]: scaling the positions would round, and what is coplanar would not stay so
+
   // Set by measure_facets(), and kept true by every function of this folder that changes a mesh.
   std::vector<Vec3> normals;  // unit, by the winding; zero for a facet of area exactly zero
-  std::vector<double> areas;  // [m^2] in the body frame; before that the square of the file's unit
+  std::vector<double> areas;  // [m^2]
 
   [[nodiscard]] std::size_t size() const { return facets.size(); }
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t facet) const {

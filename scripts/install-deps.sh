@@ -3,7 +3,7 @@
 # --checks: also what .ci/run needs for the style checks. As root or through sudo. Silent where nothing is missing.
 set -eu
 packages="g++ cmake ninja-build ccache
-  libeigen3-dev libcgal-dev libopenmesh-dev libtinyobjloader-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
+  libeigen3-dev libcgal-dev libopenmesh-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
   libcli11-dev nlohmann-json3-dev libssl-dev libgmp-dev libmpfr-dev libgtest-dev libgmock-dev
   xvfb libgl1-mesa-dri"
 [ "${1-}" = --checks ] && packages="$packages clang-format-14 clang-tidy-14"

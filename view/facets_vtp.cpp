@@ -35,7 +35,10 @@ void require_valid(const FacetMesh& mesh, const FacetResult& result) {
 vtkSmartPointer<vtkPoints> points_of(const FacetMesh& mesh) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
-  for (const Vec3& p : mesh.positions) points->InsertNextPoint(p.data());
+  for (const Vec3& position : mesh.positions) {
+    const Vec3 p = mesh.metres_per_unit * position;
+    points->InsertNextPoint(p.data());
+  }
   return points;
 }
 

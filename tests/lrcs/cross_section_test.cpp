@@ -38,7 +38,8 @@ TEST(CrossSection, BoundHoldsAgainstExtendedPrecision) {
   std::mt19937_64 random(41);
   for (const Material& material : material_library())
     for (int round = 0; round < 10; ++round) {
-      FacetMesh body = round % 2 == 0 ? sphere(1.0, 10) : revolved({{0.0, 0.0}, {1.0, 0.0}, {1.0, 3.0}, {0.0, 3.0}}, 17);
+      FacetMesh body =
+          round % 2 == 0 ? sphere(1.0, 10) : revolved({{0.0, 0.0}, {1.0, 0.0}, {1.0, 3.0}, {0.0, 3.0}}, 17);
       const Target target = target_of(std::move(body), material.brdf);
       const Vec3 di = random_direction(random);
       const Vec3 dr = round % 3 == 0 ? di : random_direction(random);
@@ -58,6 +59,37 @@ TEST(CrossSection, BoundHoldsWhereTheShadowIsKnown) {
   const double roof = 3.0 * (1.0 + 1.0 / 3.0);
   EXPECT_LE(std::abs(section.sigma.value - 4.0 * (roof + 2.0 / 3.0)), section.sigma.bound + 1e-15);
   EXPECT_LE(section.sigma.bound, 1e-11);
+}
+
+// Wu's diffuse term does not go to 0 with cos_i: where rounding cannot tell on which side of a facet the transmitter
+// is, the bound holds what either side returns.
+TEST(CrossSection, BoundHoldsTheJumpWhereAFacetIsSeenEdgeOn) {
+  std::mt19937_64 random(45);
+  const Wu wu = std::get<Wu>(library("metal-skin-5p"));
+  for (int round = 0; round < 300; ++round) {
+    const Vec3 di = random_direction(random), dr = random_direction(random);
+    FacetMesh mesh;
+    add_triangle(mesh, Vec3::Zero(), di, random_direction(random));
+    const Target target = target_of(mesh, wu);
+    const Vec3& n = target.mesh.normals[0];
+    const Vec3 lit = n.dot(dr) > 0.0 ? n : Vec3(-n);
+    const double jump = 4.0 * std::numbers::pi * target.mesh.areas[0] * wu.parameters().kd * lit.dot(dr);
+    const Estimate sigma = section_of(target, di, dr).sigma;
+    EXPECT_GE(sigma.value + sigma.bound, (1.0 - 1e-6) * jump);
+    EXPECT_LE(sigma.value - sigma.bound, 0.0);
+  }
+}
+
+TEST(CrossSection, BoundKnowsWhatASteepLobeMakesOfTheRoundingOfDirections) {
+  FacetMesh plate;
+  add_plate(plate, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  WuParameters<double> parameters;
+  parameters.kb = 1.0, parameters.kr = 1.0, parameters.b = -1e12, parameters.a = 1.0, parameters.kd = 0.0;
+  const Target target = target_of(plate, Wu(parameters));
+  const Vec3 di(0, 0, 1), dr = Vec3(3e-6, 0, 1).normalized(), rounded = dr + Vec3(0x1p-70, 0, 0);
+  const Estimate one = section_of(target, di, dr).sigma, other = section_of(target, di, rounded).sigma;
+  EXPECT_NE(one.value, other.value);
+  EXPECT_LE(std::abs(one.value - other.value), one.bound);
 }
 
 TEST(CrossSection, SharesSumToTheWhole) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "mesh/body_frame.h"
 #include "tests/lrcs/test_targets.h"
 
 namespace lrcs {
@@ -55,6 +56,24 @@ TEST(Metamorphic, SigmaGrowsWithTheSquareOfTheLength) {
     for (Vec3& p : scaled.target.mesh.positions) p *= 3.0;
     measure_facets(scaled.target.mesh);
     expect_same(c, scaled, 9.0, "scaled by 3");
+  }
+}
+
+TEST(Metamorphic, TheUnitOfTheFileChangesNothingButTheScale) {
+  // Two overlapping facets exactly in the plane x + y + z = 10, one white and one black: which is first is a matter of
+  // rank, and stays one in every unit.
+  FacetMesh mesh;
+  add_triangle(mesh, {10, 0, 0}, {0, 10, 0}, {0, 0, 10});
+  add_triangle(mesh, {7, 1, 2}, {1, 8, 1}, {2, 3, 5});
+  Target target = target_of(mesh, lambert(0.0));
+  target.materials.push_back({"white", lambert(1.0), 0.0, ""});
+  target.material = {1, 0};
+  const Vec3 d = Vec3(0.6, 0.4, 0.3).normalized();
+  const double sigma = section_of(target, d, d).sigma.value;
+  for (const double unit : {1e-3, 1e-2, 0.0254, 0.3048, 1e3}) {
+    Target other = target;
+    place_in_body_frame(other.mesh, unit, "+x", "+z");
+    EXPECT_NEAR(section_of(other, d, d).sigma.value, unit * unit * sigma, 1e-14 * unit * unit * sigma) << unit;
   }
 }
 

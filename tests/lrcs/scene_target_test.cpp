@@ -104,7 +104,7 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   EXPECT_EQ(repaired.repaired.degenerate, 1U);
   EXPECT_EQ(repaired.target.material, Indices{1});
   EXPECT_DOUBLE_EQ(repaired.target.mesh.areas[0], 1.0);
-  EXPECT_EQ(repaired.target.mesh.positions[1], Vec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(repaired.target.mesh.metres_per_unit * repaired.target.mesh.positions[1], Vec3(1.0, 0.0, 0.0));
   scene.target.repair = false;
   EXPECT_EQ(load_target(scene).target.mesh.size(), 3U);
   EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -204,7 +205,7 @@ TEST(Visibility, HoldsAtScalesAndOffsetsThatDoublesHold) {
   EXPECT_NEAR(seen_area(far, d), seen_area(rounded, d), 1e-14 * area);
 }
 
-TEST(Visibility, IsTheSameBytesForTheSameInput) {
+TEST(Visibility, GivesTheSameAnswerTwice) {
   std::mt19937_64 random(29);
   FacetMesh mesh = random_soup(random, 200);
   measure_facets(mesh);
@@ -212,6 +213,23 @@ TEST(Visibility, IsTheSameBytesForTheSameInput) {
   const Vec3 d = random_direction(random);
   const auto once = visibility.seen_fraction(d, d), again = visibility.seen_fraction(d, d);
   for (std::size_t k = 0; k < once.size(); ++k) EXPECT_EQ(once[k].value, again[k].value);
+}
+
+TEST(Visibility, EndsInTimeForAFacetUnderAThousandCrossingOnes) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> at(-1.0, 1.0), height(0.1, 1.0);
+  FacetMesh mesh;
+  add_triangle(mesh, {-1, -1, 0}, {3, -1, 0}, {-1, 3, 0});
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 p(at(random), at(random), height(random));
+    const auto side = [&] { return Vec3(at(random), at(random), 0.1 * at(random)); };
+    add_triangle(mesh, p, p + side(), p + side());
+  }
+  measure_facets(mesh);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_GT(Visibility(mesh).seen_fraction(above, above)[0].value, 0.0);
+  // 1.4 s measured on a slow core; the limit is for a hang.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 }  // namespace

@@ -36,8 +36,10 @@ TEST(BodyFrame, BringsForwardToXAndUpToZ) {
   EXPECT_EQ(placed(1.0, "+y", "+z").positions[0], Vec3(2, -1, 3));
 }
 
-TEST(BodyFrame, RoundsOnceForTheUnit) {
-  EXPECT_EQ(placed(0.001, "+x", "+z").positions[1], Vec3(0.004, 0.005, 0.006));
+TEST(BodyFrame, KeepsTheFilesCoordinatesAndSaysTheirUnit) {
+  const FacetMesh mesh = placed(0.001, "+x", "+z");
+  EXPECT_EQ(mesh.positions[1], Vec3(4, 5, 6));
+  EXPECT_EQ(mesh.metres_per_unit, 0.001);
 }
 
 TEST(BodyFrame, IsARotationForEveryPairOfAxes) {
