@@ -76,11 +76,11 @@ std::vector<double> angle_range(double from_deg, double to_deg, double step_deg)
   // A last step that rounding keeps from `to` by a millionth of a step still counts.
   constexpr double slack = 1.0 / 1048576.0;
   const double steps = std::floor((to_deg - from_deg) / step_deg + slack);
+  const bool reaches_end = std::abs(from_deg + steps * step_deg - to_deg) <= slack * std::abs(step_deg);
   std::vector<double> angles;
-  for (double k = 0.0; k <= steps; k += 1.0) {
-    const double angle = from_deg + k * step_deg;
-    angles.push_back(std::abs(angle - to_deg) < slack * std::abs(step_deg) ? to_deg : angle);
-  }
+  // Where the steps divide the range, a share of the range is the double nearest to the decimals: 0.3, not 3 * 0.1.
+  for (double k = 0.0; k <= steps; k += 1.0)
+    angles.push_back(reaches_end && steps > 0.0 ? from_deg + (to_deg - from_deg) * k / steps : from_deg + k * step_deg);
   return angles;
 }
 

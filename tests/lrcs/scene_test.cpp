@@ -160,6 +160,10 @@ TEST(AngleRange, OfAWholeTurnInTenthsEndsExactly) {
   for (std::size_t k = 0; k < angles.size(); ++k) EXPECT_NEAR(angles[k], 0.1 * static_cast<double>(k), 1e-12);
 }
 
+TEST(AngleRange, OfTenthsHasTheDoublesOfItsDecimals) {
+  EXPECT_EQ(angle_range(0.0, 0.5, 0.1), (std::vector<double>{0.0, 0.1, 0.2, 0.3, 0.4, 0.5}));
+}
+
 TEST(AngleRange, StopsBeforeWhatItDoesNotReach) {
   EXPECT_EQ(angle_range(0.0, 10.0, 4.0), (std::vector<double>{0.0, 4.0, 8.0}));
   EXPECT_EQ(angle_range(0.0, 10.0, 20.0), (std::vector<double>{0.0}));
