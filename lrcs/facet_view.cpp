@@ -88,11 +88,12 @@ void FacetView::refine(std::uint32_t vertex) {
 
 void FacetView::refine_cut(std::uint32_t a, std::uint32_t b, double slack) {
   const Seen &p = memo_[a], &q = memo_[b];
-  if (p.height * q.height >= 0.0) return;
+  const bool passes = (p.height > 0.0 && q.height < 0.0) || (p.height < 0.0 && q.height > 0.0);
+  if (!passes) return;
   const double length = std::abs(p.u - q.u) + std::abs(p.v - q.v);
   const auto cut_error = [&] {
-    const double apart = p.height - q.height;
-    return (std::abs(p.height) * q.error + std::abs(q.height) * p.error) / (apart * apart) * length;
+    const double apart = std::abs(p.height - q.height);
+    return (std::abs(p.height) / apart * q.error + std::abs(q.height) / apart * p.error) / apart * length;
   };
   if (cut_error() > slack) {
     refine(a);
