@@ -1,11 +1,9 @@
 #include "lrcs/scene_target.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
-
-#include <fstream>
 
 #include "tests/lrcs/test_targets.h"
+#include "tests/scratch_folder.h"
 
 namespace lrcs {
 namespace {
@@ -90,12 +88,11 @@ TEST(AssignMaterials, RefusesToLeaveAFacetOut) {
 }
 
 TEST(LoadTarget, PlacesRepairsAndAssigns) {
-  std::string name = (std::filesystem::temp_directory_path() / "lrcs-target-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(name.data());
+  const ScratchFolder folder;
   // A triangle in the file's yz-plane, twice, and a third facet without area.
-  std::ofstream(folder / "t.off") << "OFF\n3 3 0\n0 0 0\n0 1000 0\n0 0 2000\n3 0 1 2\n3 0 1 2\n3 0 1 1\n";
+  folder.write("t.off", "OFF\n3 3 0\n0 0 0\n0 1000 0\n0 0 2000\n3 0 1 2\n3 0 1 2\n3 0 1 1\n");
   Scene scene = scene_of({rule(By::everything, "", "b")});
-  scene.target.file = folder / "t.off";
+  scene.target.file = folder.path() / "t.off";
   scene.target.metres_per_unit = 1e-3;
   scene.target.forward = "+y";
   const LoadedTarget repaired = load_target(scene);
@@ -108,7 +105,6 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   scene.target.repair = false;
   EXPECT_EQ(load_target(scene).target.mesh.size(), 3U);
   EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
-
-#include <fstream>
 
 #include "base/digest.h"
 #include "lrcs/sweep_yaml.h"
+#include "tests/scratch_folder.h"
 
 namespace lrcs {
 namespace {
@@ -44,22 +42,17 @@ const std::string shortest =
 
 class SceneFile : public testing::Test {
  protected:
-  SceneFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "lrcs-scene-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~SceneFile() override { std::filesystem::remove_all(folder_); }
   Scene read(const std::string& text) const {
-    std::ofstream(folder_ / "scene.yaml") << text;
-    return read_scene(folder_ / "scene.yaml");
+    folder_.write("scene.yaml", text);
+    return read_scene(folder_.path() / "scene.yaml");
   }
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   const Scene scene = read(documented);
   EXPECT_EQ(scene.wavelength, 1.06e-6);
-  EXPECT_EQ(scene.target.file, folder_ / "motor.stl");
+  EXPECT_EQ(scene.target.file, folder_.path() / "motor.stl");
   EXPECT_EQ(scene.target.unit, "mm");
   EXPECT_EQ(scene.target.metres_per_unit, 1e-3);
   EXPECT_EQ(scene.target.forward, "+x");

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/scratch_folder.h"
 #include "view/colour.h"
 
 namespace lrcs {
@@ -78,22 +79,6 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-// A folder of this process' own, gone when it exits.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_(std::filesystem::path(testing::TempDir()) / ("lrcs-view-" + std::to_string(getpid()))) {}
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // A file name of this test's own, with nothing there.
 inline std::filesystem::path scratch_file(const std::string& name) {
