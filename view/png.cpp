@@ -1,11 +1,13 @@
 #include "view/png.h"
 
 #include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <string_view>
@@ -15,30 +17,32 @@
 namespace lrcs {
 namespace {
 
-std::size_t place(const Picture& picture, int column, int row) {
-  return 3 *
-         (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(column));
+std::size_t bytes_of(const Picture& picture) {
+  return 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-std::uint8_t mean_of_block(const Picture& picture, int column, int row, int factor, std::size_t channel) {
-  unsigned sum = 0;
-  for (int y = row * factor; y < (row + 1) * factor; ++y) {
-    for (int x = column * factor; x < (column + 1) * factor; ++x) sum += picture.rgb[place(picture, x, y) + channel];
-  }
-  const auto count = static_cast<unsigned>(factor * factor);
-  return static_cast<std::uint8_t>((sum + count / 2) / count);
+// For reading only.
+vtkSmartPointer<vtkImageData> image_of(const Picture& picture) {
+  assert(picture.rgb.size() == bytes_of(picture));
+  return image_on(const_cast<std::uint8_t*>(picture.rgb.data()), picture.width, picture.height, 3);
 }
 
 }  // namespace
 
+vtkSmartPointer<vtkImageData> image_on(std::uint8_t* bytes, int width, int height, int channels) {
+  constexpr int stay_the_callers = 1;
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetNumberOfComponents(channels);
+  array->SetArray(bytes, static_cast<vtkIdType>(channels) * width * height, stay_the_callers);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->GetPointData()->SetScalars(array);
+  return image;
+}
+
 void write_png(const std::filesystem::path& png, const Picture& picture) {
-  assert(picture.rgb.size() == place(picture, 0, picture.height));
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::copy(picture.rgb.begin(), picture.rgb.end(), static_cast<std::uint8_t*>(image->GetScalarPointer()));
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
+  writer->SetInputData(image_of(picture));
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
@@ -51,13 +55,13 @@ void write_png(const std::filesystem::path& png, const Picture& picture) {
 
 Picture shrunk(const Picture& picture, int factor) {
   assert(factor > 0 && picture.width % factor == 0 && picture.height % factor == 0);
+  vtkNew<vtkImageShrink3D> mean;
+  mean->SetInputData(image_of(picture));
+  mean->SetShrinkFactors(factor, factor, 1);
+  mean->Update();
   Picture small{picture.width / factor, picture.height / factor, {}};
-  small.rgb.reserve(place(small, 0, small.height));
-  for (int row = 0; row < small.height; ++row) {
-    for (int column = 0; column < small.width; ++column) {
-      for (std::size_t c = 0; c < 3; ++c) small.rgb.push_back(mean_of_block(picture, column, row, factor, c));
-    }
-  }
+  const auto* first = static_cast<const std::uint8_t*>(mean->GetOutput()->GetScalarPointer());
+  small.rgb.assign(first, first + bytes_of(small));
   return small;
 }
 
