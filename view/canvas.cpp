@@ -1,36 +1,54 @@
 #include "view/canvas.h"
 
+#include <vtkImageBlend.h>
+#include <vtkImageCanvasSource2D.h>
+#include <vtkImageData.h>
+#include <vtkImageFlip.h>
+#include <vtkImageMapToColors.h>
+#include <vtkImagePermute.h>
+#include <vtkImageShrink3D.h>
+#include <vtkImageTranslateExtent.h>
+#include <vtkImplicitModeller.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTrivialProducer.h>
+
 #include <algorithm>
+#include <array>
+#include <climits>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "view/dashes.h"
+#include "view/line_pieces.h"
 
 namespace lrcs {
 namespace {
 
-double distance_to_segment(const Point& p, const Point& from, const Point& to) {
-  const double dx = to.x - from.x;
-  const double dy = to.y - from.y;
-  const double squared = dx * dx + dy * dy;
-  const double along = squared > 0.0 ? ((p.x - from.x) * dx + (p.y - from.y) * dy) / squared : 0.0;
-  const double t = std::min(1.0, std::max(0.0, along));
-  return std::hypot(p.x - from.x - t * dx, p.y - from.y - t * dy);
-}
+// How a mask's values become opacity: straight from one end of their range to the other, and constant beyond.
+struct Ramp {
+  double low, high;        // of the values
+  double at_low, at_high;  // opacity [1]
+};
 
-Box box_around(const std::vector<Point>& points, double margin) {
-  Box box{points.front(), points.front()};
-  for (const Point& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+vtkSmartPointer<vtkLookupTable> inks(const Colour& colour, const Ramp& ramp) {
+  constexpr int levels = 256;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(levels);
+  table->SetTableRange(ramp.low, ramp.high);
+  for (int level = 0; level < levels; ++level) {
+    const double opacity = std::lerp(ramp.at_low, ramp.at_high, level / (levels - 1.0));
+    table->SetTableValue(level, colour.red, colour.green, colour.blue, opacity);
   }
-  return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};
+  return table;
 }
 
-// Share of the pixel [cell, cell + 1) that lies in [low, high).
-double overlap(int cell, double low, double high) {
-  return std::max(0.0, std::min(high, cell + 1.0) - std::max(low, static_cast<double>(cell)));
+Box grown(const Box& box, double margin) {
+  return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};
 }
 
 std::vector<Point> arc_points(const Point& centre, double radius) {
@@ -56,91 +74,95 @@ double shift(AlignY align, double cap_height) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height) : width_(width), height_(height) {
+Canvas::Canvas(int width, int height) : sheet_{width, height, {}} {
   if (width <= 0 || height <= 0) throw std::invalid_argument("a picture needs a width and a height above zero");
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  rgb_.assign(3 * pixels, 255.0F);
-  coverage_.assign(pixels, 0.0F);
+  sheet_.rgb.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
   no_clip();
 }
 
-Canvas::Canvas(const Picture& ground) : Canvas(ground.width, ground.height) {
-  std::copy(ground.rgb.begin(), ground.rgb.end(), rgb_.begin());
+Canvas::Canvas(Picture ground) : sheet_(std::move(ground)) {
+  no_clip();
 }
 
 void Canvas::clip(const Box& box) {
-  clip_ = box;
+  no_clip();
+  const Pixels inside = pixels_of(box);
+  clip_ = {{inside.left + 0.0, inside.bottom + 0.0}, {inside.right + 0.0, inside.top + 0.0}};
 }
 
 void Canvas::no_clip() {
   clip_ = {{0.0, 0.0}, {width(), height()}};
 }
 
-std::size_t Canvas::index(int column, int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
-}
-
 Canvas::Pixels Canvas::pixels_of(const Box& box) const {
-  const auto pixel = [](double place, int end) {
-    return static_cast<int>(std::min(static_cast<double>(end), std::max(0.0, place)));
+  const auto pixel = [](double place, double low, double high) {
+    return static_cast<int>(std::min(high, std::max(low, place)));
   };
-  return {pixel(std::floor(std::max(box.low.x, clip_.low.x)), width_),
-          pixel(std::floor(std::max(box.low.y, clip_.low.y)), height_),
-          pixel(std::ceil(std::min(box.high.x, clip_.high.x)), width_),
-          pixel(std::ceil(std::min(box.high.y, clip_.high.y)), height_)};
+  return {
+      pixel(std::floor(box.low.x), clip_.low.x, clip_.high.x), pixel(std::floor(box.low.y), clip_.low.y, clip_.high.y),
+      pixel(std::ceil(box.high.x), clip_.low.x, clip_.high.x), pixel(std::ceil(box.high.y), clip_.low.y, clip_.high.y)};
 }
 
-void Canvas::blend(int column, int row, const Colour& colour, double opacity) {
-  const std::size_t first = 3 * index(column, row);
-  const auto mix = [&](std::size_t channel, double value) {
-    float& old = rgb_[first + channel];
-    old = static_cast<float>(old + (255.0 * value - old) * opacity);
-  };
-  mix(0, colour.red);
-  mix(1, colour.green);
-  mix(2, colour.blue);
+void Canvas::lay(vtkAlgorithm* mask, int left, int bottom, const Pixels& area, vtkScalarsToColors* inks) {
+  vtkNew<vtkImageTranslateExtent> placed;
+  placed->SetInputConnection(mask->GetOutputPort());
+  placed->SetTranslation(left, bottom, 0);
+  vtkNew<vtkImageMapToColors> coloured;
+  coloured->SetInputConnection(placed->GetOutputPort());
+  coloured->SetLookupTable(inks);
+  coloured->SetOutputFormatToRGBA();
+  const auto sheet = image_on(sheet_.rgb.data(), sheet_.width, sheet_.height, 3);
+  vtkNew<vtkImageBlend> blend;
+  blend->SetInputData(sheet);
+  blend->AddInputConnection(coloured->GetOutputPort());
+  std::array<int, 6> extent{area.left, area.right - 1, area.bottom, area.top - 1, 0, 0};
+  blend->UpdateExtent(extent.data());
+  sheet->CopyAndCastFrom(blend->GetOutput(), extent.data());
 }
 
 void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
   const Pixels area = pixels_of(box);
-  for (int row = area.bottom; row < area.top; ++row) {
-    for (int column = area.left; column < area.right; ++column) {
-      const double share = overlap(column, box.low.x, box.high.x) * overlap(row, box.low.y, box.high.y);
-      blend(column, row, colour, share * opacity);
-    }
-  }
-}
-
-void Canvas::cover_segment(const Point& from, const Point& to, double width) {
-  const double reach = 0.5 * width + 0.5;
-  const Pixels area = pixels_of(box_around({from, to}, reach));
-  for (int row = area.bottom; row < area.top; ++row) {
-    for (int column = area.left; column < area.right; ++column) {
-      const double distance = distance_to_segment({column + 0.5, row + 0.5}, from, to);
-      const double covered = std::min({1.0, width, reach - distance});
-      float& coverage = coverage_[index(column, row)];
-      coverage = std::max(coverage, static_cast<float>(covered));
-    }
-  }
-}
-
-void Canvas::ink_covered(const Pixels& area, const Colour& colour) {
-  for (int row = area.bottom; row < area.top; ++row) {
-    for (int column = area.left; column < area.right; ++column) {
-      float& coverage = coverage_[index(column, row)];
-      if (coverage > 0.0F) blend(column, row, colour, coverage);
-      coverage = 0.0F;
-    }
-  }
+  if (area.empty()) return;
+  constexpr int fine = 4;
+  const auto cell = [](double place, int low, int high) {
+    return static_cast<int>(std::lround(fine * std::clamp<double>(place, low, high)));
+  };
+  vtkNew<vtkImageCanvasSource2D> cells;
+  cells->SetScalarTypeToUnsignedChar();
+  cells->SetExtent(fine * area.left, fine * area.right - 1, fine * area.bottom, fine * area.top - 1, 0, 0);
+  cells->FillBox(0, INT_MAX, 0, INT_MAX);
+  cells->SetDrawColor(255.0);
+  cells->FillBox(cell(box.low.x, area.left, area.right), cell(box.high.x, area.left, area.right) - 1,
+                 cell(box.low.y, area.bottom, area.top), cell(box.high.y, area.bottom, area.top) - 1);
+  vtkNew<vtkImageShrink3D> mean;
+  mean->SetInputConnection(cells->GetOutputPort());
+  mean->SetShrinkFactors(fine, fine, 1);
+  lay(mean, 0, 0, area, inks(colour, {0.0, 255.0, 0.0, opacity}));
 }
 
 void Canvas::line(const std::vector<Point>& points, const Pen& pen) {
-  if (points.empty()) return;
-  for (const std::vector<Point>& stroke : dashes(points, pen.dash)) {
-    if (stroke.size() == 1) cover_segment(stroke.front(), stroke.front(), pen.width);
-    for (std::size_t i = 1; i < stroke.size(); ++i) cover_segment(stroke[i - 1], stroke[i], pen.width);
-  }
-  ink_covered(pixels_of(box_around(points, pen.width + 1.0)), pen.colour);
+  strokes(dashes(points, pen.dash), pen);
+}
+
+void Canvas::strokes(const std::vector<std::vector<Point>>& strokes, const Pen& pen) {
+  const double reach = 0.5 * (pen.width + 1.0);
+  const auto pieces = line_pieces(strokes, grown(clip_, reach));
+  const double* bounds = pieces->GetBounds();
+  const Pixels area = pixels_of(grown({{bounds[0], bounds[2]}, {bounds[1], bounds[3]}}, reach));
+  if (area.empty()) return;
+  const int columns = area.right - area.left;
+  const int rows = area.top - area.bottom;
+  const double beyond = 2.0 * (reach + columns + rows);  // VTK wants a volume: its second layer is out of reach
+  vtkNew<vtkImplicitModeller> distance;
+  distance->SetInputData(pieces);
+  distance->SetSampleDimensions(columns + 1, rows + 1, 2);
+  distance->SetModelBounds(area.left + 0.5, area.right + 0.5, area.bottom + 0.5, area.top + 0.5, 0.0, beyond);
+  distance->AdjustBoundsOff();
+  distance->CappingOff();
+  distance->SetMaximumDistance(reach / beyond);
+  // A pixel is covered by how far the line reaches beyond its middle, but never more than the line is wide.
+  const Ramp ramp{0.5 * std::abs(pen.width - 1.0), reach, std::min(1.0, pen.width), 0.0};
+  lay(distance, area.left, area.bottom, area, inks(pen.colour, ramp));
 }
 
 void Canvas::frame(const Box& box, const Pen& pen) {
@@ -156,7 +178,7 @@ void Canvas::disc(const Point& centre, double radius, const Colour& colour) {
 }
 
 void Canvas::text(const Point& anchor, const std::string& text, const TextStyle& style) {
-  const TextBitmap bitmap = text_bitmap(text, style.font);
+  TextBitmap bitmap = text_bitmap(text, style.font);
   const double dx = shift(style.x, bitmap.width);
   const double dy = shift(style.y, bitmap.capital) - bitmap.baseline;
   const int left = static_cast<int>(std::lround(style.upward ? anchor.x - dy - bitmap.height : anchor.x + dx));
@@ -167,22 +189,16 @@ void Canvas::text(const Point& anchor, const std::string& text, const TextStyle&
                    {static_cast<double>(left + across), static_cast<double>(bottom + up)}};
   if (style.halo > 0.0) fill(ground, white, style.halo);
   const Pixels area = pixels_of(ground);
-  for (int row = area.bottom; row < area.top; ++row) {
-    for (int column = area.left; column < area.right; ++column) {
-      const int u = style.upward ? row - bottom : column - left;
-      const int v = style.upward ? left + across - 1 - column : row - bottom;
-      const auto texel =
-          static_cast<std::size_t>(v) * static_cast<std::size_t>(bitmap.width) + static_cast<std::size_t>(u);
-      blend(column, row, style.colour, bitmap.coverage[texel] / 255.0);
-    }
-  }
-}
-
-Picture Canvas::picture() const {
-  Picture picture{width_, height_, {}};
-  picture.rgb.reserve(rgb_.size());
-  for (const float value : rgb_) picture.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
-  return picture;
+  if (area.empty()) return;
+  vtkNew<vtkTrivialProducer> flat;
+  flat->SetOutput(image_on(bitmap.coverage.data(), bitmap.width, bitmap.height, 1));
+  vtkNew<vtkImagePermute> mirrored;
+  mirrored->SetInputConnection(flat->GetOutputPort());
+  mirrored->SetFilteredAxes(1, 0, 2);
+  vtkNew<vtkImageFlip> turned;
+  turned->SetInputConnection(mirrored->GetOutputPort());
+  vtkAlgorithm* mask = style.upward ? static_cast<vtkAlgorithm*>(turned) : flat;
+  lay(mask, left, bottom, area, inks(style.colour, {0.0, 255.0, 0.0, 1.0}));
 }
 
 TextSize text_size(const std::string& text, const Font& font) {

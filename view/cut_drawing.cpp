@@ -68,10 +68,11 @@ void draw_floor_ticks(Canvas& canvas, const CutDrawing& drawing, const CutMap& m
   const double low = drawing.range.low;
   const double top = low + 0.02 * (drawing.range.high - low);
   for (std::size_t i = drawing.cuts.size(); i-- > 0;) {
+    std::vector<std::vector<Point>> ticks;
     for (const CutPoint& point : drawing.cuts[i]) {
-      if (point.dbsm >= low) continue;
-      canvas.line({map({point.angle_deg, low}), map({point.angle_deg, top})}, {curve_colour(i), 3.0});
+      if (point.dbsm < low) ticks.push_back({map({point.angle_deg, low}), map({point.angle_deg, top})});
     }
+    canvas.strokes(ticks, {curve_colour(i), 3.0});
   }
 }
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "view/dashes.h"
+#include "view/vtk_errors.h"
 
 namespace lrcs {
 namespace {
@@ -57,6 +59,27 @@ TEST(Canvas, DrawsNothingOutsideTheClipBox) {
   canvas.fill({{-100.0, -100.0}, {200.0, 200.0}}, black);
   canvas.line({{-1e6, 15.0}, {1e6, 15.0}}, {black, 3.0});
   EXPECT_NEAR(black_area(canvas), 100.0, 0.01);
+}
+
+TEST(Canvas, DrawsWhatIsSeenOfLinesThatEndFarAwayOrNowhere) {
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const VtkErrors errors;
+  Canvas canvas(60, 60);
+  canvas.clip({{10.0, 0.0}, {20.0, 60.0}});
+  canvas.line({{-1e300, 15.0}, {1e300, 15.0}}, {black, 3.0});
+  canvas.line({{30.0, -1e9}, {30.0, 1e9}, {-1e9, 1e9}}, {black, 3.0});
+  canvas.line({{nowhere, 40.0}, {15.0, nowhere}, {0.0, 40.0}, {60.0, 40.0}}, {black, 3.0});
+  EXPECT_NEAR(black_area(canvas), 60.0, 0.2);
+  EXPECT_EQ(errors.first(), "");
+}
+
+TEST(Canvas, DrawsStrokesAsTheirLines) {
+  const std::vector<std::vector<Point>> strokes{{{10.0, 10.0}, {50.0, 12.0}, {40.0, 50.0}}, {{20.0, 40.0}}, {}};
+  Canvas at_once(60, 60);
+  Canvas in_turn(60, 60);
+  at_once.strokes(strokes, {black, 4.0});
+  for (const auto& stroke : strokes) in_turn.line(stroke, {black, 4.0});
+  EXPECT_EQ(at_once.picture().rgb, in_turn.picture().rgb);
 }
 
 TEST(Canvas, TurnsTextByAQuarter) {
