@@ -1,107 +1,83 @@
 #include "lrcs/facet_tree.h"
 
 #include <algorithm>
-#include <limits>
-#include <utility>
+
+#include "lrcs/space_order.h"
 
 namespace lrcs {
-namespace {
 
-constexpr ProjectedBox nothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+ViewFrame::ViewFrame(const Vec3& toward_viewer, const Vec3& centre_)
+    : across(toward_viewer.unitOrthogonal()), up(toward_viewer.cross(across)), toward(toward_viewer), centre(centre_) {}
 
-void include(ProjectedBox& box, const ProjectedBox& other) {
-  box.x0 = std::min(box.x0, other.x0);
-  box.x1 = std::max(box.x1, other.x1);
-  box.y0 = std::min(box.y0, other.y0);
-  box.y1 = std::max(box.y1, other.y1);
-  box.far = std::min(box.far, other.far);
-  box.near = std::max(box.near, other.near);
+FacetTree::FacetTree(const Occluders& occluders) {
+  if (occluders.size() == 0) return;
+  nodes_.reserve(occluders.size() / 2 + 1);
+  build(occluders, 0, static_cast<std::uint32_t>(occluders.size()));
+  const Box3& all = nodes_.front().box;
+  reach_ = 2.0 * std::max((all.high - occluders.centre).cwiseAbs().maxCoeff(),
+                          (all.low - occluders.centre).cwiseAbs().maxCoeff());
 }
 
-}  // namespace
-
-FacetTree::FacetTree(const FacetMesh& mesh, std::vector<std::uint32_t> facets) : order_(std::move(facets)) {
-  std::vector<Vec3> centres(mesh.size());
-  for (const std::uint32_t f : order_) {
-    const auto [a, b, c] = mesh.corners(f);
-    centres[f] = a / 3.0 + b / 3.0 + c / 3.0;
-  }
-  nodes_.reserve(order_.size() / 2 + 1);
-  if (!order_.empty()) build(centres, 0, static_cast<std::uint32_t>(order_.size()));
-}
-
-// Halving by number keeps the depth of the recursion at log2 of the number of facets, whatever their shape.
-void FacetTree::build(const std::vector<Vec3>& centres, std::uint32_t first, std::uint32_t last) {
+void FacetTree::build(const Occluders& occluders, std::uint32_t first, std::uint32_t last) {
   const auto node = nodes_.size();
-  nodes_.push_back({first, last, 0, last - first <= leaf_size});
-  if (!nodes_[node].leaf) {
-    Vec3 low = centres[order_[first]];
-    Vec3 high = low;
-    for (std::uint32_t k = first; k < last; ++k) {
-      low = low.cwiseMin(centres[order_[k]]);
-      high = high.cwiseMax(centres[order_[k]]);
-    }
-    int axis = 0;
-    (high - low).maxCoeff(&axis);
-    const std::uint32_t middle = first + (last - first) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       return std::pair(centres[a][axis], a) < std::pair(centres[b][axis], b);
-                     });
-    build(centres, first, middle);
-    build(centres, middle, last);
+  const Vec3& any = occluders.positions[occluders.facets[first][0]];
+  nodes_.push_back({{any, any}, first, last, 0, last - first <= space_leaf});
+  Box3 box = nodes_[node].box;
+  if (nodes_[node].leaf) {
+    for (std::uint32_t f = first; f < last; ++f)
+      for (const std::uint32_t v : occluders.facets[f]) {
+        box.low = box.low.cwiseMin(occluders.positions[v]);
+        box.high = box.high.cwiseMax(occluders.positions[v]);
+      }
+  } else {
+    const std::uint32_t middle = middle_of(first, last);
+    build(occluders, first, middle);
+    const auto second = nodes_.size();
+    build(occluders, middle, last);
+    box.low = nodes_[node + 1].box.low.cwiseMin(nodes_[second].box.low);
+    box.high = nodes_[node + 1].box.high.cwiseMax(nodes_[second].box.high);
   }
+  nodes_[node].box = box;
   nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
 }
 
-void ProjectedTree::project(const FacetTree& tree, const FacetMesh& mesh, const Vec3& toward_viewer) {
-  const Vec3 across = toward_viewer.unitOrthogonal();
-  const Vec3 up = toward_viewer.cross(across);
-  double size = 0.0;
-  vertices_.resize(mesh.positions.size());
-  for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    const Vec3& p = mesh.positions[v];
-    vertices_[v] = {p.dot(across), p.dot(up), p.dot(toward_viewer)};
-    size = std::max(size, p.cwiseAbs().maxCoeff());
-  }
-  // A dot product of three terms is off by less than 3 u |p|_1 <= 9 u |p|_max (u = 2^-53).
-  const double rounding = 16.0 * 0x1p-53 * size;
-  facets_.resize(tree.order().size());
-  for (std::size_t k = 0; k < facets_.size(); ++k) {
-    const auto& f = mesh.facets[tree.order()[k]];
-    const Vec3 low = vertices_[f[0]].cwiseMin(vertices_[f[1]]).cwiseMin(vertices_[f[2]]);
-    const Vec3 high = vertices_[f[0]].cwiseMax(vertices_[f[1]]).cwiseMax(vertices_[f[2]]);
-    facets_[k] = {low.x() - rounding,  high.x() + rounding, low.y() - rounding,
-                  high.y() + rounding, low.z() - rounding,  high.z() + rounding};
-  }
-  nodes_.resize(tree.nodes().size());
-  for (std::size_t k = nodes_.size(); k-- > 0;) {
-    const FacetTree::Node& node = tree.nodes()[k];
-    nodes_[k] = nothing;
-    if (node.leaf) {
-      for (std::uint32_t f = node.first; f < node.last; ++f) include(nodes_[k], facets_[f]);
-    } else {
-      include(nodes_[k], nodes_[k + 1]);
-      include(nodes_[k], nodes_[tree.nodes()[k + 1].skip]);
-    }
-  }
-}
+namespace {
 
-void ProjectedTree::overlapping(const FacetTree& tree, const ProjectedBox& box,
-                                std::vector<std::uint32_t>& found) const {
-  for (std::uint32_t k = 0; k < nodes_.size();) {
-    const FacetTree::Node& node = tree.nodes()[k];
-    if (!overlaps(nodes_[k], box) || nodes_[k].near < box.far) {
+// Takes what lies below the nodes that pass.
+template <class Pass>
+void take(const std::vector<FacetTree::Node>& nodes, const Pass& pass, std::vector<std::uint32_t>& found) {
+  for (std::uint32_t k = 0; k < nodes.size();) {
+    const FacetTree::Node& node = nodes[k];
+    if (!pass(node.box)) {
       k = node.skip;
       continue;
     }
     if (node.leaf)
-      for (std::uint32_t f = node.first; f < node.last; ++f)
-        if (overlaps(facets_[f], box) && facets_[f].near >= box.far) found.push_back(f);
+      for (std::uint32_t f = node.first; f < node.last; ++f) found.push_back(f);
     ++k;
   }
+}
+
+}  // namespace
+
+void FacetTree::overlapping(const Box3& box, std::vector<std::uint32_t>& found) const {
+  take(
+      nodes_, [&](const Box3& node) { return overlap(node, box); }, found);
+}
+
+void FacetTree::before(const ViewFrame& view, const Box3& box, std::vector<std::uint32_t>& found) const {
+  // Three products and their sum, of lengths up to the reach: below 16 roundings.
+  const double rounding = 16.0 * 0x1p-53 * reach_;
+  const auto pass = [&](const Box3& node) {
+    const Vec3 middle = view.at(0.5 * (node.low + node.high));
+    const Vec3 half = 0.5 * (node.high - node.low);
+    const double across = view.across.cwiseAbs().dot(half) + rounding;
+    if (middle.x() - across > box.high.x() || middle.x() + across < box.low.x()) return false;
+    const double up = view.up.cwiseAbs().dot(half) + rounding;
+    if (middle.y() - up > box.high.y() || middle.y() + up < box.low.y()) return false;
+    return middle.z() + view.toward.cwiseAbs().dot(half) + rounding >= box.low.z();
+  };
+  take(nodes_, pass, found);
 }
 
 }  // namespace lrcs

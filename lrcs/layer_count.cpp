@@ -40,7 +40,7 @@ bool clip_to_unit_height(LayerEdge& e) {
 
 }  // namespace
 
-void LayerCount::take_edges(const std::vector<LayerEdge>& edges) {
+void LayerCount::take_edges(std::span<const LayerEdge> edges) {
   edges_.clear();
   edges_.push_back({0.0, 0.0, 0.0, 1.0, -outside});
   edges_.push_back({1.0, 0.0, 0.0, 1.0, +outside});
@@ -57,8 +57,10 @@ void LayerCount::take_edges(const std::vector<LayerEdge>& edges) {
   heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
 }
 
-double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double tolerance) {
+double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left) {
   tolerance_ = tolerance;
+  layers_at_left_ = layers_at_left;
+  negative_area_ = 0.0;
   take_edges(edges);
   place_.resize(edges_.size());
   double area = 0.0;
@@ -69,7 +71,8 @@ double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double to
     std::erase_if(active_, [&](std::uint32_t e) { return edges_[e].v1 <= low; });
     for (; next < edges_.size() && edges_[next].v0 <= low; ++next) active_.push_back(static_cast<std::uint32_t>(next));
     collect_slab(low, heights_[k + 1]);
-    area += (heights_[k + 1] - low) * slab_area();
+    slab_height_ = heights_[k + 1] - low;
+    area += slab_height_ * slab_area();
   }
   return area;
 }
@@ -77,7 +80,7 @@ double LayerCount::uncovered_area(const std::vector<LayerEdge>& edges, double to
 // What passes the slab left of the facet only adds layers, what passes right of it is never reached.
 void LayerCount::collect_slab(double low, double high) {
   lines_.clear();
-  int layers_at_left_side = 0;
+  int layers_at_left_side = layers_at_left_;
   for (const std::uint32_t e : active_) {
     const Line line{u_at(edges_[e], low), u_at(edges_[e], high), edges_[e].step, e};
     const bool side = std::abs(line.step) == outside;
@@ -115,13 +118,16 @@ void LayerCount::expect_crossing(std::size_t left) {
   std::push_heap(crossings_.begin(), crossings_.end(), std::greater<>());
 }
 
-double LayerCount::gap_area(std::size_t left, double height) const {
+double LayerCount::gap_area(std::size_t left, double height) {
   const Gap& gap = gaps_[left];
-  if (gap.layers != 0) return 0.0;
+  if (gap.layers > 0) return 0.0;
   const double below = lines_[left + 1].bottom - lines_[left].bottom;
   const double above = lines_[left + 1].top - lines_[left].top;
   const double middle = 0.5 * (gap.since + height);
-  return (height - gap.since) * (below + middle * (above - below));
+  const double area = (height - gap.since) * (below + middle * (above - below));
+  if (gap.layers == 0) return area;
+  negative_area_ += slab_height_ * area;
+  return 0.0;
 }
 
 // Area of the gaps between the layers, in units of the slab's height. Two lines that change places are then in the

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace lrcs {
@@ -19,8 +20,13 @@ struct LayerEdge {
 // invisibility", Proc. 22nd ACM National Conf., 387-393, 1967.
 class LayerCount {
  public:
-  // Area of the part of the unit triangle that no layer covers, 0..1/2.
-  [[nodiscard]] double uncovered_area(const std::vector<LayerEdge>& edges, double tolerance);
+  // Area of the part of the unit triangle that no layer covers, 0..1/2. `layers_at_left`: the number of layers at u =
+  // -infinity.
+  [[nodiscard]] double uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0);
+  // Of the last area asked for: did the count go below zero on more than rounding's area?
+  [[nodiscard]] bool went_negative() const {
+    return negative_area_ > 4.0 * tolerance_ * static_cast<double>(edges_.size());
+  }
 
  private:
   struct Line {  // an edge within one slab
@@ -38,13 +44,13 @@ class LayerCount {
     bool operator>(const Crossing& other) const;
   };
 
-  void take_edges(const std::vector<LayerEdge>& edges);
+  void take_edges(std::span<const LayerEdge> edges);
   void collect_slab(double low, double high);
   [[nodiscard]] double slab_area();
   void snap(double Line::*end);
   void expect_crossing(std::size_t left);
   // The gap's area [in units of the slab's height] from its beginning to `height`, if nothing covers it.
-  [[nodiscard]] double gap_area(std::size_t left, double height) const;
+  [[nodiscard]] double gap_area(std::size_t left, double height);
 
   std::vector<LayerEdge> edges_;
   std::vector<std::uint32_t> active_;
@@ -54,6 +60,9 @@ class LayerCount {
   std::vector<Crossing> crossings_;   // a heap, the lowest first
   std::vector<std::uint32_t> place_;  // of a line by its rank
   double tolerance_ = 0.0;
+  double negative_area_ = 0.0;
+  double slab_height_ = 0.0;
+  int layers_at_left_ = 0;
 };
 
 }  // namespace lrcs

@@ -1,67 +1,140 @@
 #include "lrcs/visibility.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <optional>
 
 #include "lrcs/facet_view.h"
+#include "lrcs/layer_walk.h"
+#include "lrcs/surface.h"
 
 namespace lrcs {
-namespace {
 
-// One vertex for every position. Zero has one sign.
-void merge_equal_positions(FacetMesh& mesh) {
-  for (Vec3& p : mesh.positions) p += Vec3::Zero();
-  std::vector<std::uint32_t> order(mesh.positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto less = [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3 &p = mesh.positions[a], &q = mesh.positions[b];
-    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  };
-  std::sort(order.begin(), order.end(), less);
-  std::vector<Vec3> kept;
-  std::vector<std::uint32_t> kept_of(mesh.positions.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || less(order[k - 1], order[k])) kept.push_back(mesh.positions[order[k]]);
-    kept_of[order[k]] = static_cast<std::uint32_t>(kept.size() - 1);
+struct Visibility::Scratch {
+  explicit Scratch(const Surface& surface_) : surface(surface_), walks{LayerWalk(surface_), LayerWalk(surface_)} {}
+
+  const Surface& surface;
+  std::array<LayerWalk, 2> walks;  // one a viewer
+  std::vector<std::uint8_t> wanted;
+  std::vector<LayerEdge> edges;
+  LayerCount count;
+  std::optional<FacetView> clipping;
+  std::vector<Vec3> viewers;
+  bool clipping_looks = false;
+
+  void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
+  void find_wanted();
+  [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
+  [[nodiscard]] double error_by_doubtful(std::uint32_t facet) const;
+  [[nodiscard]] Estimate clipped(std::uint32_t facet);
+};
+
+void Visibility::Scratch::look_along(const Vec3& to_transmitter, const Vec3& to_receiver) {
+  viewers.assign(1, to_receiver);
+  if (to_transmitter != to_receiver) viewers.push_back(to_transmitter);
+  clipping_looks = false;
+  for (std::size_t k = 0; k < viewers.size(); ++k) walks[k].look_along(viewers[k]);
+  find_wanted();
+  for (std::size_t k = 0; k < viewers.size(); ++k) walks[k].count(wanted);
+}
+
+// Facets that all viewers see from the same side, unless it is the back of a solid.
+void Visibility::Scratch::find_wanted() {
+  const std::size_t facets = surface.occluders.size();
+  wanted.resize(facets);
+  const std::int8_t* const one = walks[0].view().counted();
+  const std::int8_t* const other = walks[viewers.size() - 1].view().counted();
+  for (std::size_t f = 0; f < facets; ++f) wanted[f] = one[f] != 0 && one[f] == other[f] ? 1 : 0;
+}
+
+// Of u and v: facets left out because they are nearly edge-on may hide a strip as wide as rounding.
+double Visibility::Scratch::error_by_doubtful(std::uint32_t facet) const {
+  double error = 0.0;
+  for (std::size_t k = 0; k < viewers.size(); ++k) {
+    if (!walks[k].view().is_doubtful()) continue;
+    FacetFrame frame(surface.occluders, facet);
+    frame.turn(viewers[k]);
+    error = std::max(error, frame.rounding(surface.tree.reach()));
   }
-  for (auto& facet : mesh.facets)
-    for (auto& v : facet) v = kept_of[v];
-  mesh.positions = std::move(kept);
+  return error;
 }
 
-// Powers of two: exact, and products of three lengths can neither overflow nor vanish.
-void scale_to_unit_size(FacetMesh& mesh) {
-  double size = 0.0;
-  for (const Vec3& p : mesh.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
-  if (size == 0.0) return;
-  const int exponent = std::ilogb(size);
-  for (Vec3& p : mesh.positions)
-    for (double& x : p) x = std::ldexp(x, -exponent);
+std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
+  edges.clear();
+  int base = 0;
+  double error = 0.0;
+  bool hidden = false;
+  for (std::size_t k = 0; k < viewers.size(); ++k) {
+    const auto known = walks[k].known(facet);
+    if (known == LayerWalk::Known::nothing) return std::nullopt;
+    if (known == LayerWalk::Known::layers) {
+      hidden = hidden || walks[k].layers_before(facet) > 0;
+      continue;
+    }
+    const auto over = walks[k].outlines_over(facet);
+    base += over.base;
+    error = std::max(error, over.error);
+    edges.insert(edges.end(), over.edges.begin(), over.edges.end());
+  }
+  const double left_out = error_by_doubtful(facet);
+  if (hidden || error == 0.0) return Estimate{hidden ? 0.0 : 1.0, std::min(1.0, 16.0 * left_out)};
+  error = std::max(error, left_out);
+  // Where coordinates are hardly known there is nothing to walk by.
+  constexpr double hardly_known = 0x1p-20;
+  if (error > hardly_known) return std::nullopt;
+  const double fraction = 2.0 * count.uncovered_area(edges, error, base);
+  if (count.went_negative()) return std::nullopt;
+  const double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
+  return Estimate{std::clamp(fraction, 0.0, 1.0), bound};
 }
 
-}  // namespace
-
-Visibility::Visibility(const FacetMesh& mesh) {
-  mesh_.positions = mesh.positions;
-  mesh_.facets = mesh.facets;
-  merge_equal_positions(mesh_);
-  scale_to_unit_size(mesh_);
-  measure_facets(mesh_);
-  std::vector<std::uint32_t> facets;
-  for (std::uint32_t f = 0; f < mesh_.size(); ++f)
-    if (mesh_.areas[f] > 0.0) facets.push_back(f);
-  tree_ = std::make_unique<FacetTree>(mesh_, std::move(facets));
+Estimate Visibility::Scratch::clipped(std::uint32_t facet) {
+  if (!clipping) clipping.emplace(surface.occluders, surface.tree);
+  if (!clipping_looks) clipping->look_along(viewers);
+  clipping_looks = true;
+  return clipping->seen_fraction(facet);
 }
 
-std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver) const {
-  FacetView view(mesh_, *tree_);
-  if (to_transmitter == to_receiver)
-    view.look_along({to_receiver});
-  else
-    view.look_along({to_transmitter, to_receiver});
-  std::vector<Estimate> fraction(mesh_.size());
-  view.seen_fractions(fraction);
+Visibility::Visibility(const FacetMesh& mesh) : facets_(mesh.size()), surface_(std::make_unique<const Surface>(mesh)) {}
+
+Visibility::~Visibility() = default;
+
+std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
+                                                VisibilityCost* cost) const {
+  std::unique_ptr<Scratch>& scratch = scratch_.local();
+  if (!scratch) scratch = std::make_unique<Scratch>(*surface_);
+  scratch->look_along(to_transmitter, to_receiver);
+  VisibilityCost spent;
+  for (std::size_t k = 0; k < scratch->viewers.size(); ++k) {
+    spent.cut += scratch->walks[k].cut_facets();
+    spent.queries += scratch->walks[k].queries();
+  }
+  std::vector<Estimate> fraction(facets_);
+  const auto& occluders = surface_->occluders;
+  for (std::uint32_t f = 0; f < occluders.size(); ++f) {
+    Estimate& of_facet = fraction[occluders.original[f]];
+    if (scratch->wanted[f] == 0) {
+      // Edge-on as far as rounding can tell, for one viewer at least.
+      for (std::size_t k = 0; k < scratch->viewers.size(); ++k)
+        if (scratch->walks[k].view().facing()[f] == 0) of_facet = scratch->clipped(f);
+      continue;
+    }
+    if (const auto known = scratch->from_walks(f)) {
+      of_facet = *known;
+    } else {
+      of_facet = scratch->clipped(f);
+      ++spent.clipped;
+    }
+  }
+  if (cost != nullptr) *cost = spent;
+  return fraction;
+}
+
+std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_transmitter, const Vec3& to_receiver) const {
+  FacetView view(surface_->occluders, surface_->tree);
+  view.look_along(to_transmitter == to_receiver ? std::vector{to_receiver} : std::vector{to_transmitter, to_receiver});
+  std::vector<Estimate> fraction(facets_);
+  for (std::uint32_t f = 0; f < surface_->occluders.size(); ++f)
+    fraction[surface_->occluders.original[f]] = view.seen_fraction(f);
   return fraction;
 }
 

@@ -1,36 +1,57 @@
 #pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "base/estimate.h"
 #include "base/vec3.h"
-#include "lrcs/facet_tree.h"
 #include "mesh/facet_mesh.h"
 
 namespace lrcs {
 
+struct Surface;
+
+// What it took to find the seen fractions for one pair of directions.
+struct VisibilityCost {
+  std::size_t cut = 0;      // facets over which an outline runs
+  std::size_t queries = 0;  // places where layers were counted one by one
+  std::size_t clipped = 0;  // facets settled by clipping alone
+};
+
 // Which part of every facet the transmitter lights AND the receiver sees, exactly.
 //
-// Every facet is taken by itself: the facets nearer to the viewer are cut with its plane, projected along the direction
-// into its own coordinates, and the area is measured where the number of such layers is zero (lrcs/layer_count.h).
-// Nothing is asked of the mesh: open, non-manifold, self-intersecting targets and any number of parts are alike. Which
-// side of a facet's plane a vertex lies on is decided exactly (lrcs/exact_height.h). domain: finite coordinates; unit
-// directions. Coincident facets count once: the one whose front is seen, then the lower index. error: Estimate::bound,
-// a few units in the last place times the facet's foreshortening and the reach of what is before it. check: closed
-// forms, rays and metamorphic laws in tests/lrcs/visibility_test.cpp.
+// The number of layers in front of a facet changes only across outlines (folds, boundaries, cuts), and is counted by
+// walking over the surface (lrcs/layer_walk.h); where that leaves a doubt, the facet is clipped against all that stands
+// before it (lrcs/facet_view.h). Nothing is asked of the mesh: open, non-manifold, self-intersecting targets and any
+// number of parts are alike. Which side of a facet's plane a vertex lies on is decided exactly (lrcs/exact_height.h).
+// domain: finite coordinates; unit directions. Coincident facets count once: the one whose front is seen, then the
+// lower index. error: Estimate::bound, a few units in the last place times the facet's foreshortening and the reach of
+// what is before it; 0 for facets that no outline comes near. check: against the straight way, closed forms, rays and
+// metamorphic laws in tests/lrcs.
 class Visibility {
  public:
   // Copies the geometry and builds what does not depend on directions.
   explicit Visibility(const FacetMesh& mesh);
+  ~Visibility();
 
   // value: fraction 0..1 of the facet's area that is lit from to_transmitter and seen from to_receiver (equal:
   // monostatic). shape: one a facet. A facet whose two sides face the one and the other, or that is seen edge-on, has
   // fraction 0. Safe to call from several threads at once; the result does not depend on their number.
-  [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver) const;
+  [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
+                                                    VisibilityCost* cost = nullptr) const;
+
+  // The same by clipping every facet: slow, the oracle for tests.
+  [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,
+                                                                const Vec3& to_receiver) const;
 
  private:
-  FacetMesh mesh_;                   // vertices of equal position merged, scaled by a power of two to a size near 1
-  std::unique_ptr<FacetTree> tree_;  // its facets of non-zero area
+  struct Scratch;  // a thread's memory, used again from direction to direction
+
+  std::size_t facets_ = 0;
+  std::unique_ptr<const Surface> surface_;
+  mutable tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_;
 };
 
 }  // namespace lrcs

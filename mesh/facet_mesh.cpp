@@ -2,48 +2,10 @@
 
 #include <cmath>
 
+#include "base/expansion.h"
+
 namespace lrcs {
 namespace {
-
-// The real number value + error; value is it rounded.
-struct Unrounded {
-  double value;
-  double error;
-};
-
-Unrounded sum_of(double a, double b) {
-  const double value = a + b;
-  const double b_part = value - a;
-  return {value, (a - (value - b_part)) + (b - b_part)};
-}
-
-Unrounded product_of(double a, double b) {
-  const double value = a * b;
-  return {value, std::fma(a, b, -value)};
-}
-
-// The sum of the products, right to one unit in the last place, zero only if it is zero.
-double exact_sum(const std::array<Unrounded, 8>& products) {
-  std::array<double, 16> parts{};  // do not overlap, smallest first
-  std::size_t size = 0;
-  const auto add = [&](double term) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < size; ++k) {
-      const Unrounded sum = sum_of(term, parts[k]);
-      if (sum.error != 0.0) parts[kept++] = sum.error;
-      term = sum.value;
-    }
-    if (term != 0.0) parts[kept++] = term;
-    size = kept;
-  };
-  for (const Unrounded& product : products) {
-    add(product.error);
-    add(product.value);
-  }
-  double total = 0.0;
-  for (std::size_t k = 0; k < size; ++k) total += parts[k];
-  return total;
-}
 
 // p q - r s.
 double difference_of_products(Unrounded p, Unrounded q, Unrounded r, Unrounded s) {
@@ -56,9 +18,12 @@ double difference_of_products(Unrounded p, Unrounded q, Unrounded r, Unrounded s
   // this.
   constexpr double worst_cancellation = 0x1p-46;
   if (std::abs(quick) >= worst_cancellation * (std::abs(pq.value) + std::abs(rs.value))) return quick;
-  return exact_sum({pq, product_of(p.value, q.error), product_of(p.error, q.value), product_of(p.error, q.error),
-                    product_of(-r.value, s.value), product_of(-r.value, s.error), product_of(-r.error, s.value),
-                    product_of(-r.error, s.error)});
+  Expansion<16> exact;
+  for (const double a : {p.value, p.error})
+    for (const double b : {q.value, q.error}) exact.add_product(a, b);
+  for (const double a : {r.value, r.error})
+    for (const double b : {s.value, s.error}) exact.add_product(-a, b);
+  return exact.rounded();
 }
 
 }  // namespace

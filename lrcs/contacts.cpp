@@ -1,0 +1,185 @@
+#include "lrcs/contacts.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+#include "lrcs/facet_frame.h"
+#include "lrcs/unit_triangle.h"
+
+namespace lrcs {
+namespace {
+
+struct Found {  // for one facet
+  std::uint32_t facet;
+  std::vector<Contacts::Passage> passages;
+  std::vector<std::uint32_t> lying;  // edges
+  bool covered = false;
+  [[nodiscard]] bool any() const { return covered || !passages.empty() || !lying.empty(); }
+};
+
+struct Corner {
+  std::uint32_t vertex;
+  FacetPoint at;
+  int shared;  // the facet's own corner that it is, -1: none
+  unsigned beyond;
+};
+
+int sign(double x) {
+  return x > 0.0 ? 1 : x < 0.0 ? -1 : 0;
+}
+
+class ContactSearch {
+ public:
+  ContactSearch(const Occluders& occluders, const OccluderEdges& edges, std::uint32_t facet)
+      : occluders_(occluders), edges_(edges), frame_(occluders, facet) {
+    found_.facet = facet;
+    const Vec3& cross = occluders.cross[facet];
+    frame_.turn(cross / cross.stableNorm());
+  }
+
+  void look_at(std::uint32_t other) {
+    std::array<Corner, 3> corners{};
+    double reach = 0.0;
+    for (const auto v : occluders_.facets[other]) reach = std::max(reach, frame_.reach(v));
+    slack_ = frame_.rounding(reach);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = occluders_.facets[other][k];
+      corners[k] = {v, frame_.at_vertex(v), frame_.corner(v), 0};
+      corners[k].beyond = sides_beyond(corners[k].at, corners[k].shared, slack_);
+    }
+    if ((corners[0].beyond & corners[1].beyond & corners[2].beyond) != 0) return;
+    int zeros = 0, front = 0;
+    for (Corner& c : corners) {
+      if (!c.at.sign_is_certain()) frame_.refine(c.at, c.vertex);
+      zeros += c.at.height == 0.0 ? 1 : 0;
+      front += c.at.height > 0.0 ? 1 : 0;
+    }
+    const bool passes = front > 0 && front + zeros < 3;
+    if (zeros == 3) found_.covered = true;
+    if (zeros >= 2) add_lying_edges(other, corners);
+    if (passes) add_passage(other, corners);
+  }
+
+  [[nodiscard]] Found take() {
+    std::sort(found_.lying.begin(), found_.lying.end());
+    found_.lying.erase(std::unique(found_.lying.begin(), found_.lying.end()), found_.lying.end());
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool apart(const Corner& a, const Corner& b) const {
+    return (a.beyond & b.beyond) != 0 || line_passes_by(a.at, a.shared, b.at, b.shared, slack_);
+  }
+
+  void add_lying_edges(std::uint32_t other, const std::array<Corner, 3>& corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &a = corners[k], &b = corners[(k + 1) % 3];
+      if (a.at.height == 0.0 && b.at.height == 0.0 && !apart(a, b)) found_.lying.push_back(edges_.edge_of(other, k));
+    }
+  }
+
+  void add_passage(std::uint32_t other, const std::array<Corner, 3>& corners) {
+    Contacts::Passage passage{other, {}, {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+      const int sa = sign(a.at.height), sb = sign(b.at.height), sc = sign(c.at.height);
+      const Contacts::Place between{std::min(a.vertex, b.vertex), std::max(a.vertex, b.vertex)};
+      if (sa == 0) (sc > 0 ? passage.leaves : passage.enters) = {a.vertex, a.vertex};
+      if (sa > 0 && sb < 0) passage.leaves = between;
+      if (sa < 0 && sb > 0) passage.enters = between;
+    }
+    double error_leaves = 0.0, error_enters = 0.0;
+    const FacetPoint leaves = frame_.passage(passage.leaves.low, passage.leaves.high, error_leaves);
+    const FacetPoint enters = frame_.passage(passage.enters.low, passage.enters.high, error_enters);
+    const double slack = std::max(error_leaves, error_enters);
+    if ((sides_beyond(leaves, corner(passage.leaves), slack) & sides_beyond(enters, corner(passage.enters), slack)) !=
+        0)
+      return;
+    if (line_passes_by(leaves, corner(passage.leaves), enters, corner(passage.enters), slack)) return;
+    found_.passages.push_back(passage);
+  }
+
+  [[nodiscard]] int corner(const Contacts::Place& place) const {
+    return place.low == place.high ? frame_.corner(place.low) : -1;
+  }
+
+  const Occluders& occluders_;
+  const OccluderEdges& edges_;
+  FacetFrame frame_;
+  double slack_ = 0.0;
+  Found found_;
+};
+
+Box3 box_of(const Occluders& occluders, std::uint32_t facet) {
+  const auto& f = occluders.facets[facet];
+  const Vec3 &a = occluders.positions[f[0]], &b = occluders.positions[f[1]], &c = occluders.positions[f[2]];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+void search_leaf(const Occluders& occluders, const FacetTree& tree, const OccluderEdges& edges,
+                 const FacetTree::Node& leaf, std::vector<Found>& found) {
+  std::vector<std::uint32_t> near;
+  tree.overlapping(leaf.box, near);
+  std::vector<Box3> boxes;
+  boxes.reserve(near.size());
+  for (const std::uint32_t f : near) boxes.push_back(box_of(occluders, f));
+  for (std::uint32_t f = leaf.first; f < leaf.last; ++f) {
+    ContactSearch search(occluders, edges, f);
+    const Box3 box = box_of(occluders, f);
+    for (std::size_t k = 0; k < near.size(); ++k)
+      if (near[k] != f && overlap(box, boxes[k])) search.look_at(near[k]);
+    Found of_facet = search.take();
+    if (of_facet.any()) found.push_back(std::move(of_facet));
+  }
+}
+
+// +1, -1, 0 for a facet at an edge in the plane of another one: on which side of that plane its third corner lies.
+std::int8_t side_of(const Occluders& occluders, const FacetFrame& frame, const OccluderEdges::Edge& edge,
+                    std::uint32_t facet) {
+  for (const std::uint32_t v : occluders.facets[facet]) {
+    if (v == edge.low || v == edge.high) continue;
+    FacetPoint p = frame.at_vertex(v);
+    if (!p.sign_is_certain()) frame.refine(p, v);
+    return static_cast<std::int8_t>(sign(p.height));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Contacts::Contacts(const Occluders& occluders, const FacetTree& tree, const OccluderEdges& edges)
+    : place_(occluders.size(), none) {
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t k = 0; k < tree.nodes().size(); ++k)
+    if (tree.nodes()[k].leaf) leaves.push_back(k);
+  std::vector<std::vector<Found>> found(leaves.size());
+  tbb::parallel_for(std::size_t{0}, leaves.size(),
+                    [&](std::size_t k) { search_leaf(occluders, tree, edges, tree.nodes()[leaves[k]], found[k]); });
+  for (const auto& of_leaf : found)
+    for (const Found& of_facet : of_leaf) {
+      place_[of_facet.facet] = static_cast<std::uint32_t>(begins_.size());
+      begins_.push_back(
+          {static_cast<std::uint32_t>(passages_.size()), static_cast<std::uint32_t>(edges_.size()), of_facet.covered});
+      passages_.insert(passages_.end(), of_facet.passages.begin(), of_facet.passages.end());
+      FacetFrame frame(occluders, of_facet.facet);
+      frame.turn(occluders.cross[of_facet.facet].stableNormalized());
+      for (const std::uint32_t e : of_facet.lying) {
+        edges_.push_back({e, static_cast<std::uint32_t>(sides_.size())});
+        for (const FacetAtEdge& use : edges.facets_at(e))
+          sides_.push_back(side_of(occluders, frame, edges.edges()[e], use.facet));
+      }
+    }
+}
+
+Contacts::Of Contacts::of(std::uint32_t facet) const {
+  const std::uint32_t k = place_[facet];
+  const Begin& begin = begins_[k];
+  const std::size_t passages_end = k + 1 < begins_.size() ? begins_[k + 1].passages : passages_.size();
+  const std::size_t edges_end = k + 1 < begins_.size() ? begins_[k + 1].edges : edges_.size();
+  return {std::span(passages_).subspan(begin.passages, passages_end - begin.passages),
+          std::span(edges_).subspan(begin.edges, edges_end - begin.edges), begin.covered};
+}
+
+}  // namespace lrcs

@@ -1,0 +1,114 @@
+#include "lrcs/edge_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lrcs {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+int cell_of(double place, double per, int count) {
+  const double cell = place * per;
+  return cell <= 0.0 ? 0 : cell >= count ? count - 1 : static_cast<int>(cell);
+}
+
+}  // namespace
+
+int EdgeGrid::column_of(double x) const {
+  return cell_of(x - x0_, per_x_, columns_);
+}
+int EdgeGrid::row_of(double y) const {
+  return cell_of(y - y0_, per_y_, rows_);
+}
+
+// About four cells an edge, as square as may be.
+void EdgeGrid::lay_out(const std::vector<OutlineEdge>& edges) {
+  double x1 = -infinity, y1 = -infinity;
+  x0_ = y0_ = infinity;
+  for (const OutlineEdge& e : edges) {
+    x0_ = std::min(x0_, e.x0);
+    y0_ = std::min(y0_, e.y0);
+    x1 = std::max(x1, e.x1);
+    y1 = std::max(y1, e.y1);
+  }
+  constexpr int most = 2048;
+  const double cells = 4.0 * static_cast<double>(edges.size()) + 16.0;
+  const double width = edges.empty() ? 1.0 : x1 - x0_, height = edges.empty() ? 1.0 : y1 - y0_;
+  const auto share = [&](double a, double b) {
+    const double count = b > 0.0 ? std::sqrt(cells * a / b) : most;
+    return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(most)));
+  };
+  columns_ = share(width, height);
+  rows_ = share(height, width);
+  per_x_ = width > 0.0 ? columns_ / width : 0.0;
+  per_y_ = height > 0.0 ? rows_ / height : 0.0;
+}
+
+// The cells that an edge passes through, row by row.
+template <class Visit>
+void EdgeGrid::visit_cells(const OutlineEdge& edge, const double* x, const double* y, double rounding,
+                           const Visit& visit) const {
+  const int row0 = row_of(edge.y0), row1 = row_of(edge.y1);
+  double xa = x[edge.low], ya = y[edge.low], xb = x[edge.high], yb = y[edge.high];
+  if (ya > yb) {
+    std::swap(xa, xb);
+    std::swap(ya, yb);
+  }
+  const double slope = yb > ya ? (xb - xa) / (yb - ya) : 0.0;
+  for (int row = row0; row <= row1; ++row) {
+    double from = edge.x0, to = edge.x1;
+    if (row1 > row0 && slope != 0.0) {
+      // The rounding of x and y is larger than that of what follows.
+      const double low = y0_ + row / per_y_ - rounding, high = y0_ + (row + 1) / per_y_ + rounding;
+      const double at_low = xa + slope * (low - ya), at_high = xa + slope * (high - ya);
+      from = std::max(from, std::min(at_low, at_high) - rounding);
+      to = std::min(to, std::max(at_low, at_high) + rounding);
+    }
+    const int column0 = column_of(from), column1 = column_of(to);
+    for (int column = column0; column <= column1; ++column)
+      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column));
+  }
+}
+
+void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, const double* x, const double* y, double rounding) {
+  lay_out(edges);
+  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  begins_.assign(cells + 1, 0);
+  near_.assign(cells, -infinity);
+  for (const OutlineEdge& e : edges)
+    visit_cells(e, x, y, rounding, [&](std::size_t cell) {
+      ++begins_[cell + 1];
+      near_[cell] = std::max(near_[cell], e.near);
+    });
+  for (std::size_t k = 0; k < cells; ++k) begins_[k + 1] += begins_[k];
+  edges_.resize(begins_[cells]);
+  next_.assign(begins_.begin(), begins_.end() - 1);
+  for (std::uint32_t k = 0; k < edges.size(); ++k)
+    visit_cells(edges[k], x, y, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = k; });
+  const auto across = static_cast<std::size_t>(columns_) + 1;
+  filled_before_.assign(across * (static_cast<std::size_t>(rows_) + 1), 0);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
+    std::uint32_t in_row = 0;
+    for (std::size_t column = 0; column + 1 < across; ++column) {
+      const std::size_t cell = row * (across - 1) + column;
+      in_row += begins_[cell + 1] > begins_[cell] ? 1 : 0;
+      filled_before_[(row + 1) * across + column + 1] = filled_before_[row * across + column + 1] + in_row;
+    }
+  }
+}
+
+EdgeGrid::Cells EdgeGrid::cells(double x0, double x1, double y0, double y1) const {
+  return {column_of(x0), column_of(x1), row_of(y0), row_of(y1)};
+}
+
+bool EdgeGrid::any(const Cells& c) const {
+  const auto across = static_cast<std::size_t>(columns_) + 1;
+  const auto sum = [&](int column, int row) {
+    return filled_before_[static_cast<std::size_t>(row) * across + static_cast<std::size_t>(column)];
+  };
+  return sum(c.x1 + 1, c.y1 + 1) + sum(c.x0, c.y0) != sum(c.x0, c.y1 + 1) + sum(c.x1 + 1, c.y0);
+}
+
+}  // namespace lrcs

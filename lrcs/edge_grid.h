@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lrcs/view_outline.h"
+
+namespace lrcs {
+
+// The outline edges of a view in the cells of a grid across it.
+class EdgeGrid {
+ public:
+  // Keeps a view of the edges. frame: x and y of the view, in the box given.
+  void fill(const std::vector<OutlineEdge>& edges, const double* x, const double* y, double rounding);
+
+  struct Cells {  // columns and rows [low, high]
+    int x0, x1, y0, y1;
+  };
+  [[nodiscard]] Cells cells(double x0, double x1, double y0, double y1) const;
+  [[nodiscard]] std::span<const std::uint32_t> edges_in(int column, int row) const {
+    const std::size_t cell =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    return std::span(edges_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
+  }
+  // Largest z of the edges in a cell.
+  [[nodiscard]] double near(int column, int row) const {
+    return near_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  }
+  // Does any cell hold an edge?
+  [[nodiscard]] bool any(const Cells& cells) const;
+
+ private:
+  void lay_out(const std::vector<OutlineEdge>& edges);
+  template <class Visit>
+  void visit_cells(const OutlineEdge& edge, const double* x, const double* y, double rounding,
+                   const Visit& visit) const;
+  [[nodiscard]] int column_of(double x) const;
+  [[nodiscard]] int row_of(double y) const;
+
+  double x0_ = 0.0, y0_ = 0.0, per_x_ = 0.0, per_y_ = 0.0;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> begins_, edges_, next_;
+  std::vector<std::uint32_t> filled_before_;  // summed over the cells left of and below
+  std::vector<double> near_;
+};
+
+}  // namespace lrcs

@@ -1,0 +1,158 @@
+#include "lrcs/facet_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lrcs/facet_view.h"
+#include "lrcs/unit_triangle.h"
+
+namespace lrcs {
+namespace {
+
+// Where on an edge its port lies, from the lower vertex on: nowhere special.
+constexpr double port_share = 0.43819660112501053;
+
+double u_at(const LayerEdge& e, double v) {
+  return e.u0 + (e.u1 - e.u0) * ((v - e.v0) / (e.v1 - e.v0));
+}
+
+bool spans(const LayerEdge& e, double v) {
+  return std::min(e.v0, e.v1) <= v && v < std::max(e.v0, e.v1);
+}
+
+}  // namespace
+
+void FacetCut::begin(const Surface& surface, const ViewOutline& view, std::uint32_t facet) {
+  surface_ = &surface;
+  view_ = &view;
+  facet_ = facet;
+  frame_ = FacetFrame(surface.occluders, facet);
+  frame_.turn(view.frame().toward);
+  error_ = std::max(frame_.rounding(frame_.own_reach()), frame_.scale_error());
+  near_ = false;
+  segments_.clear();
+  edges_.clear();
+  const auto& ids = surface.occluders.facets[facet];
+  const auto share = [&](std::size_t k) { return ids[k] < ids[(k + 1) % 3] ? port_share : 1.0 - port_share; };
+  ports_ = {{{share(0), 0.0}, {1.0 - share(1), share(1)}, {0.0, 1.0 - share(2)}}};
+  clear_ = {true, true, true};
+}
+
+void FacetCut::add_outline(const OutlineEdge& edge) {
+  const int corner_a = frame_.corner(edge.low), corner_b = frame_.corner(edge.high);
+  if (corner_a >= 0 && corner_b >= 0) return;
+  FacetPoint a = frame_.at_vertex(edge.low), b = frame_.at_vertex(edge.high);
+  double slack = frame_.rounding(std::max(frame_.reach(edge.low), frame_.reach(edge.high)));
+  if ((sides_beyond(a, corner_a, slack) & sides_beyond(b, corner_b, slack)) != 0) return;
+  if (line_passes_by(a, corner_a, b, corner_b, slack)) return;
+  if (!a.sign_is_certain()) frame_.refine(a, edge.low);
+  if (!b.sign_is_certain()) frame_.refine(b, edge.high);
+  if (a.height <= 0.0 && b.height <= 0.0) return;
+  if (a.height < 0.0 || b.height < 0.0) {
+    const FacetPoint cut = frame_.passage(edge.low, edge.high, slack);
+    if (b.height < 0.0)
+      add(a, corner_a, cut, -1, edge.gain, slack);
+    else
+      add(cut, -1, b, corner_b, edge.gain, slack);
+    return;
+  }
+  add(a, corner_a, b, corner_b, edge.gain, slack);
+}
+
+void FacetCut::add_contacts() {
+  if (!surface_->contacts.any(facet_)) return;
+  near_ = true;
+  const auto of = surface_->contacts.of(facet_);
+  if (of.covered) clear_ = {false, false, false};
+  for (const auto& passage : of.passages) {
+    const int counted = view_->counted()[passage.facet];
+    // The layer lies left of the line from where its winding goes below to where it comes up, in the view.
+    double error_leaves = 0.0, error_enters = 0.0;
+    const FacetPoint leaves = frame_.passage(passage.leaves.low, passage.leaves.high, error_leaves);
+    const FacetPoint enters = frame_.passage(passage.enters.low, passage.enters.high, error_enters);
+    add(leaves, corner(passage.leaves), enters, corner(passage.enters), frame_.facing() > 0.0 ? -counted : counted,
+        std::max(error_leaves, error_enters));
+  }
+  for (const auto& lying : of.edges) {
+    const auto& edge = surface_->edges.edges()[lying.edge];
+    const double reach = std::max(frame_.reach(edge.low), frame_.reach(edge.high));
+    add(frame_.at_vertex(edge.low), frame_.corner(edge.low), frame_.at_vertex(edge.high), frame_.corner(edge.high),
+        gain_of(lying, surface_->contacts.sides(lying)), frame_.rounding(reach));
+  }
+}
+
+// Facets on the right of an edge in the facet's plane less those on the left: those in front, and those in the plane
+// that come first.
+int FacetCut::gain_of(const Contacts::LyingEdge& edge, const std::int8_t* sides) const {
+  int gain = 0;
+  for (const FacetAtEdge& use : surface_->edges.facets_at(edge.edge)) {
+    const double side = frame_.facing() * *sides++;
+    const int counted = view_->counted()[use.facet];
+    const bool before = side > 0.0 || (side == 0.0 && ranks_before(surface_->occluders, use.facet, counted > 0, facet_,
+                                                                   frame_.facing() > 0.0));
+    if (before) gain += use.rising ? -counted : counted;
+  }
+  return gain;
+}
+
+// `gain`: layers on the right less those on the left, looking from a to b in the view.
+void FacetCut::add(const FacetPoint& a, int corner_a, const FacetPoint& b, int corner_b, int gain, double slack) {
+  if ((sides_beyond(a, corner_a, slack) & sides_beyond(b, corner_b, slack)) != 0) return;
+  near_ = true;
+  close_ports(a, b, slack);
+  segments_.push_back({a, b, slack});
+  error_ = std::max(error_, slack);
+  // Seen from behind, left and right change places.
+  if (gain != 0) push(a, b, frame_.facing() > 0.0 ? gain : -gain);
+}
+
+void FacetCut::close_ports(const FacetPoint& a, const FacetPoint& b, double slack) {
+  const double clearance = 16.0 * slack;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (squared_distance(ports_[k][0], ports_[k][1], a, b) <= clearance * clearance) clear_[k] = false;
+}
+
+// `gain`: toward the right looking from a to b, u to the right and v up.
+void FacetCut::push(FacetPoint a, FacetPoint b, int gain) {
+  if (a.v > b.v) {
+    std::swap(a, b);
+    gain = -gain;
+  }
+  // What lies on the side u = 0 itself counts as left of it.
+  const bool from_left = a.u <= 0.0, to_left = b.u <= 0.0;
+  if (from_left && to_left) return;
+  if (from_left || to_left) {
+    const double t = a.u / (a.u - b.u);
+    const double v = std::clamp(a.v + t * (b.v - a.v), a.v, b.v);
+    // Going up, an outline that leaves to the left has its gain beside the facet from there on.
+    edges_.push_back({0.0, v, 0.0, 2.0, to_left ? gain : -gain});
+    (to_left ? b : a) = {0.0, v, 0.0, 0.0};
+  }
+  edges_.push_back({a.u, a.v, b.u, b.v, gain});
+}
+
+int FacetCut::layers_at(double u, double v) const {
+  int layers = 0;
+  for (const LayerEdge& e : edges_)
+    if (spans(e, v) && u_at(e, v) <= u) layers += e.step;
+  return layers;
+}
+
+bool FacetCut::clear_place(double height, double& u, double& v) {
+  crossings_.assign({0.0, 1.0 - height});
+  for (const LayerEdge& e : edges_)
+    if (spans(e, height)) crossings_.push_back(std::clamp(u_at(e, height), 0.0, 1.0 - height));
+  std::sort(crossings_.begin(), crossings_.end());
+  double widest = 0.0;
+  for (std::size_t k = 0; k + 1 < crossings_.size(); ++k)
+    if (crossings_[k + 1] - crossings_[k] > widest) {
+      widest = crossings_[k + 1] - crossings_[k];
+      u = 0.5 * (crossings_[k] + crossings_[k + 1]);
+    }
+  v = height;
+  return widest > 0.0 && std::all_of(segments_.begin(), segments_.end(), [&](const Segment& s) {
+           return squared_distance(u, v, s.a, s.b) > 256.0 * s.slack * s.slack;
+         });
+}
+
+}  // namespace lrcs

@@ -1,0 +1,86 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lrcs/edge_grid.h"
+#include "lrcs/facet_cut.h"
+#include "lrcs/layer_query.h"
+#include "lrcs/surface.h"
+#include "lrcs/view_outline.h"
+
+namespace lrcs {
+
+// How many layers stand before every facet, toward one viewer: counted by walking over the surface.
+// Most facets meet no outline: the count is one number there, the same as next door. A few are cut by outlines; there
+// it changes by what each outline gains. One true count starts the walk over each connected patch; the rest is steps
+// from facet to facet through ordinary edges.
+// laws: agrees along every way round, is never negative; facets for which it does not are said to be unknown.
+// One object a thread. source: A. Appel, Proc. 22nd ACM National Conf., 387-393, 1967 (quantitative invisibility).
+class LayerWalk {
+ public:
+  explicit LayerWalk(const Surface& surface) : surface_(surface), view_(surface) {}
+
+  void look_along(const Vec3& toward) { view_.look_along(toward); }
+  [[nodiscard]] const ViewOutline& view() const { return view_; }
+
+  // Counts the layers before the facets that are wanted. shape: one a facet. domain: those wanted face the viewer with
+  // one side or the other.
+  void count(const std::vector<std::uint8_t>& wanted);
+
+  enum class Known { nothing, layers, outlines };
+  // layers: layers_before(facet), everywhere on it. outlines: outlines_over(facet) tells.
+  [[nodiscard]] Known known(std::uint32_t facet) const {
+    return layers_[facet] <= failed ? Known::nothing : cut_of_[facet] == none ? Known::layers : Known::outlines;
+  }
+  [[nodiscard]] int layers_before(std::uint32_t facet) const { return layers_[facet]; }
+  struct Outlines {
+    int base;  // layers at u = -infinity
+    std::span<const LayerEdge> edges;
+    double error;
+  };
+  [[nodiscard]] Outlines outlines_over(std::uint32_t facet) const;
+
+  // Facets cut and true counts taken, for the last direction.
+  [[nodiscard]] std::size_t cut_facets() const { return cuts_.size(); }
+  [[nodiscard]] std::size_t queries() const { return queries_; }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr int unknown = -0x40000000;
+  static constexpr int failed = unknown + 1;
+  struct Cut {
+    std::uint32_t facet;
+    std::uint32_t first_edge;
+    double error;
+    std::array<int, 3> at_port;
+    std::array<bool, 3> clear;
+  };
+
+  void cut_facets(const std::vector<std::uint8_t>& wanted);
+  // Fills cut_ with all that runs in front of the facet. False: nothing does.
+  bool cut(std::uint32_t facet);
+  void keep_cut(std::uint32_t facet);
+  // Finds the count on one facet by counting layer by layer.
+  bool start(std::uint32_t facet);
+  bool start_in_cut(std::uint32_t facet);
+  bool walk_from(std::uint32_t facet, const std::vector<std::uint8_t>& wanted);
+  // Steps over side k of a facet. False: the count is another one than what came another way.
+  bool step(std::uint32_t facet, std::size_t side, const std::vector<std::uint8_t>& wanted);
+
+  const Surface& surface_;
+  ViewOutline view_;
+  EdgeGrid grid_;
+  FacetCut cut_;
+  std::vector<std::uint32_t> stamp_;  // of outline edges: the last cut that looked at it
+  std::uint32_t last_stamp_ = 0;
+  std::vector<std::uint32_t> cut_of_;
+  std::vector<int> layers_;  // before a facet; the base for cut ones
+  std::vector<Cut> cuts_;
+  std::vector<LayerEdge> edges_;
+  std::vector<std::uint32_t> patch_;  // facets of the walk at hand
+  std::size_t queries_ = 0;
+};
+
+}  // namespace lrcs

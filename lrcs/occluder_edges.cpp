@@ -1,0 +1,53 @@
+#include "lrcs/occluder_edges.h"
+
+#include <algorithm>
+
+namespace lrcs {
+namespace {
+
+struct Side {  // of a facet
+  std::uint64_t vertices;
+  std::uint32_t facet;
+  std::uint32_t corner;
+};
+
+std::vector<Side> sorted_sides(const Occluders& occluders) {
+  std::vector<Side> sides;
+  sides.reserve(3 * occluders.size());
+  for (std::uint32_t f = 0; f < occluders.size(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint64_t a = occluders.facets[f][k], b = occluders.facets[f][(k + 1) % 3];
+      sides.push_back({std::min(a, b) << 32U | std::max(a, b), f, k});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.vertices != b.vertices ? a.vertices < b.vertices : a.facet < b.facet;
+  });
+  return sides;
+}
+
+}  // namespace
+
+OccluderEdges::OccluderEdges(const Occluders& occluders) : edge_of_(occluders.size()) {
+  const auto sides = sorted_sides(occluders);
+  const auto none = static_cast<std::uint32_t>(2 * occluders.size());
+  uses_.reserve(sides.size());
+  for (std::size_t k = 0; k < sides.size();) {
+    const std::uint64_t vertices = sides[k].vertices;
+    const auto edge = static_cast<std::uint32_t>(edges_.size());
+    edges_.push_back({static_cast<std::uint32_t>(vertices >> 32U), static_cast<std::uint32_t>(vertices), {none, none}});
+    begins_.push_back(static_cast<std::uint32_t>(uses_.size()));
+    for (; k < sides.size() && sides[k].vertices == vertices; ++k) {
+      const Side& side = sides[k];
+      uses_.push_back({side.facet, occluders.facets[side.facet][side.corner] == edges_.back().low});
+      edge_of_[side.facet][side.corner] = edge;
+    }
+    const std::span<const FacetAtEdge> here = std::span(uses_).subspan(begins_.back());
+    if (here.size() > 2) crowded_.push_back(edge);
+    for (std::size_t u = 0; here.size() <= 2 && u < here.size(); ++u)
+      edges_.back().use[u] = 2 * here[u].facet + (here[u].rising ? 1 : 0);
+  }
+  begins_.push_back(static_cast<std::uint32_t>(uses_.size()));
+  edges_.shrink_to_fit();
+}
+
+}  // namespace lrcs

@@ -1,0 +1,109 @@
+#include "lrcs/occluders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lrcs/space_order.h"
+
+namespace lrcs {
+namespace {
+
+// For every position the number of its place among the different ones. Zero has one sign.
+std::vector<std::uint32_t> merge_equal(std::vector<Vec3>& positions) {
+  for (Vec3& p : positions) p += Vec3::Zero();
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto less = [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = positions[a], &q = positions[b];
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  };
+  std::sort(order.begin(), order.end(), less);
+  std::vector<Vec3> kept;
+  std::vector<std::uint32_t> kept_of(positions.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || less(order[k - 1], order[k])) kept.push_back(positions[order[k]]);
+    kept_of[order[k]] = static_cast<std::uint32_t>(kept.size() - 1);
+  }
+  positions = std::move(kept);
+  return kept_of;
+}
+
+// Powers of two are exact.
+void scale_to_unit_size(std::vector<Vec3>& positions) {
+  double size = 0.0;
+  for (const Vec3& p : positions) size = std::max(size, p.cwiseAbs().maxCoeff());
+  if (size == 0.0) return;
+  const int exponent = std::ilogb(size);
+  for (Vec3& p : positions)
+    for (double& x : p) x = std::ldexp(x, -exponent);
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> permuted;
+  permuted.reserve(values.size());
+  for (const std::uint32_t k : order) permuted.push_back(values[k]);
+  values = std::move(permuted);
+}
+
+}  // namespace
+
+Occluders::Occluders(const FacetMesh& mesh) : positions(mesh.positions) {
+  take_facets(mesh);
+  order_facets();
+  order_vertices();
+}
+
+void Occluders::take_facets(const FacetMesh& mesh) {
+  const auto vertex = merge_equal(positions);
+  scale_to_unit_size(positions);
+  for (std::uint32_t f = 0; f < mesh.size(); ++f) {
+    const auto& c = mesh.facets[f];
+    std::array<std::uint32_t, 3> ids{vertex[c[0]], vertex[c[1]], vertex[c[2]]};
+    const Vec3 &a = positions[ids[0]], &b = positions[ids[1]], &d = positions[ids[2]];
+    const std::array<double, 3> opposite{(d - b).squaredNorm(), (a - d).squaredNorm(), (b - a).squaredNorm()};
+    std::rotate(ids.begin(), ids.begin() + (std::max_element(opposite.begin(), opposite.end()) - opposite.begin()),
+                ids.end());
+    const Vec3 normal = facet_cross(positions[ids[0]], positions[ids[1]], positions[ids[2]]);
+    if (normal.isZero(0.0)) continue;
+    facets.push_back(ids);
+    cross.push_back(normal);
+    original.push_back(f);
+  }
+}
+
+void Occluders::order_facets() {
+  std::vector<Vec3> centres;
+  centres.reserve(size());
+  for (const auto& f : facets)
+    centres.emplace_back(positions[f[0]] / 3.0 + positions[f[1]] / 3.0 + positions[f[2]] / 3.0);
+  const auto order = space_order(centres);
+  permute(facets, order);
+  permute(cross, order);
+  permute(original, order);
+}
+
+void Occluders::order_vertices() {
+  constexpr std::uint32_t unused = 0xffffffff;
+  std::vector<std::uint32_t> place(positions.size(), unused);
+  std::vector<Vec3> used;
+  for (auto& f : facets)
+    for (auto& v : f) {
+      if (place[v] == unused) {
+        place[v] = static_cast<std::uint32_t>(used.size());
+        used.push_back(positions[v]);
+      }
+      v = place[v];
+    }
+  positions = std::move(used);
+  if (positions.empty()) return;
+  Vec3 low = positions.front(), high = low;
+  for (const Vec3& p : positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  centre = 0.5 * low + 0.5 * high;
+}
+
+}  // namespace lrcs
