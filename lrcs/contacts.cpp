@@ -57,7 +57,7 @@ class ContactSearch {
       front += c.at.height > 0.0 ? 1 : 0;
     }
     const bool passes = front > 0 && front + zeros < 3;
-    if (zeros == 3) found_.covered = true;
+    if (zeros == 3 && !lies_beside(corners)) found_.covered = true;
     if (zeros >= 2) add_lying_edges(other, corners);
     if (passes) add_passage(other, corners);
   }
@@ -71,6 +71,16 @@ class ContactSearch {
  private:
   [[nodiscard]] bool apart(const Corner& a, const Corner& b) const {
     return (a.beyond & b.beyond) != 0 || line_passes_by(a.at, a.shared, b.at, b.shared, slack_);
+  }
+
+  // For a facet in the plane: does one of its sides certainly part it from this one?
+  [[nodiscard]] bool lies_beside(const std::array<Corner, 3>& corners) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+      const bool left = side_of_line(a.at, b.at, c.at.u, c.at.v) > 0.0;
+      if (line_passes_by(a.at, a.shared, b.at, b.shared, slack_, left ? Beside::right : Beside::left)) return true;
+    }
+    return false;
   }
 
   void add_lying_edges(std::uint32_t other, const std::array<Corner, 3>& corners) {

@@ -13,46 +13,37 @@ namespace {
 // What lies outside the facet counts as more layers than edges can take away.
 constexpr int outside = 1 << 28;
 
-double u_at(const LayerEdge& e, double v) {
-  if (v == e.v0) return e.u0;
-  if (v == e.v1) return e.u1;
-  return e.u0 + (e.u1 - e.u0) * ((v - e.v0) / (e.v1 - e.v0));
-}
-
-// Turns the edge upward and keeps what lies between v = 0 and v = 1. False: nothing does.
-bool clip_to_unit_height(LayerEdge& e) {
-  if (e.v0 > e.v1) {
-    std::swap(e.u0, e.u1);
-    std::swap(e.v0, e.v1);
-  }
-  if (e.v1 <= 0.0 || e.v0 >= 1.0 || e.v0 == e.v1) return false;
-  const LayerEdge whole = e;
-  if (e.v0 < 0.0) {
-    e.u0 = u_at(whole, 0.0);
-    e.v0 = 0.0;
-  }
-  if (e.v1 > 1.0) {
-    e.u1 = u_at(whole, 1.0);
-    e.v1 = 1.0;
-  }
-  return true;
-}
-
 }  // namespace
 
+// Turns edges upward and keeps what of them lies between v = 0 and v = 1.
 void LayerCount::take_edges(std::span<const LayerEdge> edges) {
   edges_.clear();
-  edges_.push_back({0.0, 0.0, 0.0, 1.0, -outside});
-  edges_.push_back({1.0, 0.0, 0.0, 1.0, +outside});
+  edges_.push_back({{0.0, 0.0, 0.0, 1.0, -outside}, 0.0});
+  edges_.push_back({{1.0, 0.0, 0.0, 1.0, +outside}, -1.0});
   heights_.assign({0.0, 1.0});
-  for (LayerEdge e : edges) {
-    const bool right_of_facet = e.u0 + e.v0 >= 1.0 && e.u1 + e.v1 >= 1.0;
-    if (right_of_facet || !clip_to_unit_height(e)) continue;
+  for (const LayerEdge& given : edges) {
+    Edge e{given, 0.0};
+    if (e.u0 + e.v0 >= 1.0 && e.u1 + e.v1 >= 1.0) continue;  // right of the facet
+    if (e.v0 > e.v1) {
+      std::swap(e.u0, e.u1);
+      std::swap(e.v0, e.v1);
+    }
+    if (e.v1 <= 0.0 || e.v0 >= 1.0 || e.v0 == e.v1) continue;
+    e.slope = (e.u1 - e.u0) / (e.v1 - e.v0);
+    const double at_bottom = e.u_at(0.0), at_top = e.u_at(1.0);
+    if (e.v0 < 0.0) {
+      e.u0 = at_bottom;
+      e.v0 = 0.0;
+    }
+    if (e.v1 > 1.0) {
+      e.u1 = at_top;
+      e.v1 = 1.0;
+    }
     edges_.push_back(e);
     heights_.push_back(e.v0);
     heights_.push_back(e.v1);
   }
-  std::sort(edges_.begin(), edges_.end(), [](const LayerEdge& a, const LayerEdge& b) { return a.v0 < b.v0; });
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.v0 < b.v0; });
   std::sort(heights_.begin(), heights_.end());
   heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
 }
@@ -70,29 +61,59 @@ double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double toler
     const double low = heights_[k];
     std::erase_if(active_, [&](std::uint32_t e) { return edges_[e].v1 <= low; });
     for (; next < edges_.size() && edges_[next].v0 <= low; ++next) active_.push_back(static_cast<std::uint32_t>(next));
-    collect_slab(low, heights_[k + 1]);
     slab_height_ = heights_[k + 1] - low;
-    area += slab_height_ * slab_area();
+    if (collect_slab(low, heights_[k + 1])) area += slab_height_ * slab_area();
   }
   return area;
 }
 
 // What passes the slab left of the facet only adds layers, what passes right of it is never reached.
-void LayerCount::collect_slab(double low, double high) {
+bool LayerCount::collect_slab(double low, double high) {
   lines_.clear();
-  int layers_at_left_side = layers_at_left_;
+  int layers_at_left_side = layers_at_left_, taken_away = 0;
   for (const std::uint32_t e : active_) {
-    const Line line{u_at(edges_[e], low), u_at(edges_[e], high), edges_[e].step, e};
+    const Line line{edges_[e].u_at(low), edges_[e].u_at(high), edges_[e].step, e};
     const bool side = std::abs(line.step) == outside;
     const bool left = line.bottom <= 0.0 && line.top <= 0.0;
     const bool right = line.bottom >= 1.0 - low && line.top >= 1.0 - high;
-    if (!side && left)
+    if (!side && left) {
       layers_at_left_side += line.step;
-    else if (side || !right)
+    } else if (side || !right) {
       lines_.push_back(line);
+      if (!side) taken_away += std::min(0, line.step);
+    }
   }
   for (Line& line : lines_)
     if (line.step == -outside) line.step += layers_at_left_side;
+  return layers_at_left_side + taken_away <= 0;
+}
+
+// The order of the lines half way up is theirs at both ends, but for rounding.
+bool LayerCount::lines_cross() const {
+  for (std::size_t k = 1; k < lines_.size(); ++k) {
+    const Line &a = lines_[k - 1], &b = lines_[k];
+    if (a.bottom > b.bottom + tolerance_ || a.top > b.top + tolerance_) return true;
+  }
+  return false;
+}
+
+// Area of the gaps between the layers, in units of the slab's height.
+double LayerCount::slab_area() {
+  std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
+    const double middle_a = a.bottom + a.top, middle_b = b.bottom + b.top;
+    return middle_a != middle_b ? middle_a < middle_b : a.rank < b.rank;
+  });
+  if (lines_cross()) return slab_area_with_crossings();
+  double area = 0.0;
+  int layers = outside;
+  for (std::size_t k = 0; k + 1 < lines_.size(); ++k) {
+    layers += lines_[k].step;
+    if (layers > 0) continue;
+    const Line &a = lines_[k], &b = lines_[k + 1];
+    const double gap = 0.5 * (std::max(0.0, b.bottom - a.bottom) + std::max(0.0, b.top - a.top));
+    (layers == 0 ? area : negative_area_) += layers == 0 ? gap : slab_height_ * gap;
+  }
+  return area;
 }
 
 // Ends that differ by rounding only become equal, so that all later comparisons are plain and agree with each other.
@@ -130,10 +151,9 @@ double LayerCount::gap_area(std::size_t left, double height) {
   return 0.0;
 }
 
-// Area of the gaps between the layers, in units of the slab's height. Two lines that change places are then in the
-// order they have at the top, and stay so: every pair crosses once at most, in whatever order rounding lets crossings
-// come.
-double LayerCount::slab_area() {
+// Two lines that change places are then in the order they have at the top, and stay so: every pair crosses once at
+// most, in whatever order rounding lets crossings come.
+double LayerCount::slab_area_with_crossings() {
   snap(&Line::top);
   snap(&Line::bottom);
   std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {

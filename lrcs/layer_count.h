@@ -29,6 +29,10 @@ class LayerCount {
   }
 
  private:
+  struct Edge : LayerEdge {  // v0 < v1
+    double slope = 0.0;      // du / dv
+    [[nodiscard]] double u_at(double v) const { return v == v0 ? u0 : v == v1 ? u1 : u0 + slope * (v - v0); }
+  };
   struct Line {  // an edge within one slab
     double bottom, top;
     int step;
@@ -45,14 +49,17 @@ class LayerCount {
   };
 
   void take_edges(std::span<const LayerEdge> edges);
-  void collect_slab(double low, double high);
+  // False: all of the slab is covered, whatever the order of its lines.
+  [[nodiscard]] bool collect_slab(double low, double high);
   [[nodiscard]] double slab_area();
+  [[nodiscard]] double slab_area_with_crossings();
+  [[nodiscard]] bool lines_cross() const;
   void snap(double Line::*end);
   void expect_crossing(std::size_t left);
   // The gap's area [in units of the slab's height] from its beginning to `height`, if nothing covers it.
   [[nodiscard]] double gap_area(std::size_t left, double height);
 
-  std::vector<LayerEdge> edges_;
+  std::vector<Edge> edges_;
   std::vector<std::uint32_t> active_;
   std::vector<double> heights_;
   std::vector<Line> lines_;           // of the slab at hand, from left to right

@@ -1,28 +1,36 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <vector>
 
-#include "lrcs/surface.h"
-#include "lrcs/view_outline.h"
+#include "lrcs/facet_tree.h"
+#include "lrcs/occluders.h"
 
 namespace lrcs {
 
-// The number of layers in front of a place on a facet, counted one by one along a line to the viewer.
+// What stands before a place on a facet, counted facet by facet along a line to the viewer.
 class LayerQuery {
  public:
-  LayerQuery(const Surface& surface, const ViewOutline& view) : surface_(surface), view_(view) {}
+  LayerQuery(const Occluders& occluders, const FacetTree& tree, const ViewFrame& view);
 
+  // Which way a facet faces the viewer, +1 or -1; 0: leave it out (whatever is edge-on must be).
+  using Facing = std::function<int(std::uint32_t)>;
+  struct Before {
+    int layers = 0;    // facets
+    int windings = 0;  // those whose front is seen less those whose back is
+  };
   // `place`: inside the facet. Nothing where rounding could change the answer: try another place.
-  [[nodiscard]] std::optional<int> layers_over(std::uint32_t facet, const Vec3& place) const;
+  [[nodiscard]] std::optional<Before> count(std::uint32_t facet, const Vec3& place, const Facing& facing) const;
 
  private:
   enum class Answer { no, yes, unsure };
-  [[nodiscard]] Answer is_before(std::uint32_t other, std::uint32_t facet, const Vec3& seen_place) const;
-  [[nodiscard]] Answer is_before_by_planes(std::uint32_t other, std::uint32_t facet) const;
+  [[nodiscard]] Answer is_before(std::uint32_t other, int other_facing, std::uint32_t facet, const Vec3& place) const;
+  [[nodiscard]] Answer is_before_by_planes(std::uint32_t other, int other_facing, std::uint32_t facet) const;
 
-  const Surface& surface_;
-  const ViewOutline& view_;
+  const Occluders& occluders_;
+  const FacetTree& tree_;
+  ViewFrame view_;
+  Vec3 inverse_;  // of the direction
 };
 
 }  // namespace lrcs

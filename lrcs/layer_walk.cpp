@@ -91,11 +91,12 @@ bool LayerWalk::start(std::uint32_t facet) {
   if (cut_of_[facet] != none) return start_in_cut(facet);
   constexpr std::array<std::array<double, 2>, 4> places{{{0.31, 0.36}, {0.53, 0.23}, {0.17, 0.59}, {0.11, 0.13}}};
   const FacetFrame frame(surface_.occluders, facet);
-  const LayerQuery query(surface_, view_);
+  const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
+  const auto counted = [this](std::uint32_t f) { return int{view_.counted()[f]}; };
   for (const auto& [u, v] : places) {
     ++queries_;
-    if (const auto layers = query.layers_over(facet, frame.place(u, v))) {
-      layers_[facet] = *layers;
+    if (const auto before = query.count(facet, frame.place(u, v), counted)) {
+      layers_[facet] = before->layers;
       return true;
     }
   }
@@ -105,13 +106,14 @@ bool LayerWalk::start(std::uint32_t facet) {
 bool LayerWalk::start_in_cut(std::uint32_t facet) {
   constexpr std::array<double, 6> heights{0.29, 0.13, 0.53, 0.05, 0.71, 0.4};
   cut(facet);
-  const LayerQuery query(surface_, view_);
+  const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
+  const auto counted = [this](std::uint32_t f) { return int{view_.counted()[f]}; };
   for (const double height : heights) {
     double u = 0.0, v = 0.0;
     if (!cut_.clear_place(height, u, v)) continue;
     ++queries_;
-    if (const auto layers = query.layers_over(facet, cut_.frame().place(u, v))) {
-      layers_[facet] = *layers - cut_.layers_at(u, v);
+    if (const auto before = query.count(facet, cut_.frame().place(u, v), counted)) {
+      layers_[facet] = before->layers - cut_.layers_at(u, v);
       return true;
     }
   }

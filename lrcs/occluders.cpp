@@ -66,7 +66,10 @@ void Occluders::take_facets(const FacetMesh& mesh) {
     std::rotate(ids.begin(), ids.begin() + (std::max_element(opposite.begin(), opposite.end()) - opposite.begin()),
                 ids.end());
     const Vec3 normal = facet_cross(positions[ids[0]], positions[ids[1]], positions[ids[2]]);
-    if (normal.isZero(0.0)) continue;
+    if (normal.isZero(0.0)) {
+      if (ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0]) collinear.push_back(ids);
+      continue;
+    }
     facets.push_back(ids);
     cross.push_back(normal);
     original.push_back(f);
@@ -88,14 +91,15 @@ void Occluders::order_vertices() {
   constexpr std::uint32_t unused = 0xffffffff;
   std::vector<std::uint32_t> place(positions.size(), unused);
   std::vector<Vec3> used;
-  for (auto& f : facets)
-    for (auto& v : f) {
-      if (place[v] == unused) {
-        place[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(positions[v]);
+  for (auto* all : {&facets, &collinear})
+    for (auto& f : *all)
+      for (auto& v : f) {
+        if (place[v] == unused) {
+          place[v] = static_cast<std::uint32_t>(used.size());
+          used.push_back(positions[v]);
+        }
+        v = place[v];
       }
-      v = place[v];
-    }
   positions = std::move(used);
   if (positions.empty()) return;
   Vec3 low = positions.front(), high = low;

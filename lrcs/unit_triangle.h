@@ -17,17 +17,21 @@ namespace lrcs {
   return (p.v < -slack ? 1U : 0U) | (p.u + p.v > 1.0 + 2.0 * slack ? 2U : 0U) | (p.u < -slack ? 4U : 0U);
 }
 
-// Does the line through two places certainly leave the triangle on one side of it, but for a corner that it starts or
-// ends in?
+// Twice the area of the triangle of two places and a third one: positive left of the line from a to b.
+[[nodiscard]] inline double side_of_line(const FacetPoint& a, const FacetPoint& b, double u, double v) {
+  return (b.u - a.u) * (v - a.v) - (b.v - a.v) * (u - a.u);
+}
+
+enum class Beside { left, right, either };
+
+// Does the line through two places certainly have the triangle on one side of it, but for a corner that is one of the
+// two?
 [[nodiscard]] inline bool line_passes_by(const FacetPoint& a, int corner_a, const FacetPoint& b, int corner_b,
-                                         double slack) {
-  const double du = b.u - a.u, dv = b.v - a.v;
-  const double threshold = 4.0 * slack * (std::abs(du) + std::abs(dv) + 1.0);
-  std::array<double, 3> side{};  // of corner 0, 1, 2
-  side[0] = dv * a.u - du * a.v;
-  side[1] = side[0] - dv;
-  side[2] = side[0] + du;
-  bool left = true, right = true;
+                                         double slack, Beside where = Beside::either) {
+  const double threshold = 4.0 * slack * (std::abs(b.u - a.u) + std::abs(b.v - a.v) + 1.0);
+  const double at0 = side_of_line(a, b, 0.0, 0.0);
+  const std::array<double, 3> side{at0, at0 - (b.v - a.v), at0 + (b.u - a.u)};  // of the corners
+  bool left = where != Beside::right, right = where != Beside::left;
   for (int k = 0; k < 3; ++k) {
     if (k == corner_a || k == corner_b) continue;
     left = left && side[static_cast<std::size_t>(k)] > threshold;
