@@ -170,6 +170,7 @@ Contacts::Contacts(const Occluders& occluders, const FacetTree& tree, const Occl
   for (const auto& of_leaf : found)
     for (const Found& of_facet : of_leaf) {
       place_[of_facet.facet] = static_cast<std::uint32_t>(begins_.size());
+      facets_.push_back(of_facet.facet);
       begins_.push_back(
           {static_cast<std::uint32_t>(passages_.size()), static_cast<std::uint32_t>(edges_.size()), of_facet.covered});
       passages_.insert(passages_.end(), of_facet.passages.begin(), of_facet.passages.end());
@@ -181,6 +182,11 @@ Contacts::Contacts(const Occluders& occluders, const FacetTree& tree, const Occl
           sides_.push_back(side_of(occluders, frame, edges.edges()[e], use.facet));
       }
     }
+}
+
+std::span<const std::uint32_t> Contacts::among(std::uint32_t first, std::uint32_t last) const {
+  const auto from = std::lower_bound(facets_.begin(), facets_.end(), first);
+  return {from, std::lower_bound(from, facets_.end(), last)};
 }
 
 Contacts::Of Contacts::of(std::uint32_t facet) const {

@@ -37,6 +37,8 @@ class Contacts {
   Contacts(const Occluders& occluders, const FacetTree& tree, const OccluderEdges& edges);
 
   [[nodiscard]] bool any(std::uint32_t facet) const { return place_[facet] != none; }
+  // The facets [first, last) that have contacts.
+  [[nodiscard]] std::span<const std::uint32_t> among(std::uint32_t first, std::uint32_t last) const;
   // domain: any(facet).
   [[nodiscard]] Of of(std::uint32_t facet) const;
   // For the facets at a lying edge: does each rise from the plane to the front (+1), to the back (-1) or lie in it (0)?
@@ -51,7 +53,8 @@ class Contacts {
     bool covered;
   };
 
-  std::vector<std::uint32_t> place_;  // of each facet in begins_; none
+  std::vector<std::uint32_t> place_;   // of each facet in begins_; none
+  std::vector<std::uint32_t> facets_;  // that have contacts, ascending; one for each of begins_
   std::vector<Begin> begins_;
   std::vector<Passage> passages_;
   std::vector<LyingEdge> edges_;

@@ -14,6 +14,17 @@ int cell_of(double place, double per, int count) {
   return cell <= 0.0 ? 0 : cell >= count ? count - 1 : static_cast<int>(cell);
 }
 
+constexpr float float_infinity = std::numeric_limits<float>::infinity();
+
+float below(double x) {
+  const auto rounded = static_cast<float>(x);
+  return rounded <= x ? rounded : std::nextafter(rounded, -float_infinity);
+}
+float above(double x) {
+  const auto rounded = static_cast<float>(x);
+  return rounded >= x ? rounded : std::nextafter(rounded, float_infinity);
+}
+
 }  // namespace
 
 int EdgeGrid::column_of(double x) const {
@@ -76,17 +87,15 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, const double* x, cons
   lay_out(edges);
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begins_.assign(cells + 1, 0);
-  near_.assign(cells, -infinity);
-  for (const OutlineEdge& e : edges)
-    visit_cells(e, x, y, rounding, [&](std::size_t cell) {
-      ++begins_[cell + 1];
-      near_[cell] = std::max(near_[cell], e.near);
-    });
+  for (const OutlineEdge& e : edges) visit_cells(e, x, y, rounding, [&](std::size_t cell) { ++begins_[cell + 1]; });
   for (std::size_t k = 0; k < cells; ++k) begins_[k + 1] += begins_[k];
   edges_.resize(begins_[cells]);
   next_.assign(begins_.begin(), begins_.end() - 1);
-  for (std::uint32_t k = 0; k < edges.size(); ++k)
-    visit_cells(edges[k], x, y, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = k; });
+  for (std::uint32_t k = 0; k < edges.size(); ++k) {
+    const OutlineEdge& e = edges[k];
+    const Entry entry{below(e.x0), above(e.x1), below(e.y0), above(e.y1), above(e.near), k};
+    visit_cells(e, x, y, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
+  }
   const auto across = static_cast<std::size_t>(columns_) + 1;
   filled_before_.assign(across * (static_cast<std::size_t>(rows_) + 1), 0);
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {

@@ -17,14 +17,15 @@ class EdgeGrid {
     int x0, x1, y0, y1;
   };
   [[nodiscard]] Cells cells(double x0, double x1, double y0, double y1) const;
-  [[nodiscard]] std::span<const std::uint32_t> edges_in(int column, int row) const {
+  // An edge in a cell: its box across the view and its largest z, rounded outward, and its number.
+  struct Entry {
+    float x0, x1, y0, y1, near;
+    std::uint32_t edge;
+  };
+  [[nodiscard]] std::span<const Entry> edges_in(int column, int row) const {
     const std::size_t cell =
         static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     return std::span(edges_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
-  }
-  // Largest z of the edges in a cell.
-  [[nodiscard]] double near(int column, int row) const {
-    return near_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
   }
   // Does any cell hold an edge?
   [[nodiscard]] bool any(const Cells& cells) const;
@@ -39,9 +40,9 @@ class EdgeGrid {
 
   double x0_ = 0.0, y0_ = 0.0, per_x_ = 0.0, per_y_ = 0.0;
   int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> begins_, edges_, next_;
+  std::vector<std::uint32_t> begins_, next_;
+  std::vector<Entry> edges_;
   std::vector<std::uint32_t> filled_before_;  // summed over the cells left of and below
-  std::vector<double> near_;
 };
 
 }  // namespace lrcs

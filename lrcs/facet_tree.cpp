@@ -48,7 +48,7 @@ template <class Pass>
 void take(const std::vector<FacetTree::Node>& nodes, const Pass& pass, std::vector<std::uint32_t>& found) {
   for (std::uint32_t k = 0; k < nodes.size();) {
     const FacetTree::Node& node = nodes[k];
-    if (!pass(node.box)) {
+    if (!pass(node)) {
       k = node.skip;
       continue;
     }
@@ -62,20 +62,24 @@ void take(const std::vector<FacetTree::Node>& nodes, const Pass& pass, std::vect
 
 void FacetTree::overlapping(const Box3& box, std::vector<std::uint32_t>& found) const {
   take(
-      nodes_, [&](const Box3& node) { return overlap(node, box); }, found);
+      nodes_, [&](const Node& node) { return overlap(node.box, box); }, found);
+}
+
+Box3 FacetTree::seen_box(const Node& node, const ViewFrame& view) const {
+  // Three products and their sum, of lengths up to the reach: below 16 roundings.
+  const double rounding = 16.0 * 0x1p-53 * reach_;
+  const Vec3 middle = view.at(0.5 * (node.box.low + node.box.high));
+  const Vec3 half = 0.5 * (node.box.high - node.box.low);
+  const Vec3 extent(view.across.cwiseAbs().dot(half) + rounding, view.up.cwiseAbs().dot(half) + rounding,
+                    view.toward.cwiseAbs().dot(half) + rounding);
+  return {middle - extent, middle + extent};
 }
 
 void FacetTree::before(const ViewFrame& view, const Box3& box, std::vector<std::uint32_t>& found) const {
-  // Three products and their sum, of lengths up to the reach: below 16 roundings.
-  const double rounding = 16.0 * 0x1p-53 * reach_;
-  const auto pass = [&](const Box3& node) {
-    const Vec3 middle = view.at(0.5 * (node.low + node.high));
-    const Vec3 half = 0.5 * (node.high - node.low);
-    const double across = view.across.cwiseAbs().dot(half) + rounding;
-    if (middle.x() - across > box.high.x() || middle.x() + across < box.low.x()) return false;
-    const double up = view.up.cwiseAbs().dot(half) + rounding;
-    if (middle.y() - up > box.high.y() || middle.y() + up < box.low.y()) return false;
-    return middle.z() + view.toward.cwiseAbs().dot(half) + rounding >= box.low.z();
+  const auto pass = [&](const Node& node) {
+    const Box3 seen = seen_box(node, view);
+    return seen.low.x() <= box.high.x() && seen.high.x() >= box.low.x() && seen.low.y() <= box.high.y() &&
+           seen.high.y() >= box.low.y() && seen.high.z() >= box.low.z();
   };
   take(nodes_, pass, found);
 }

@@ -42,6 +42,9 @@ class FacetTree {
   // The largest size of a coordinate relative to the centre, rounded up.
   [[nodiscard]] double reach() const { return reach_; }
 
+  // A box along the axes of the view that holds all of the node, rounding included.
+  [[nodiscard]] Box3 seen_box(const Node& node, const ViewFrame& view) const;
+
   // The facets whose leaves' boxes overlap `box`. Appended to `found`, ascending.
   void overlapping(const Box3& box, std::vector<std::uint32_t>& found) const;
   // The facets whose leaves may overlap `box`, a box along the axes of the view, in projection, and are not all behind

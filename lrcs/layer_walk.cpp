@@ -10,27 +10,45 @@ void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
   grid_.fill(view_.edges(), view_.x(), view_.y(), view_.rounding());
   stamp_.assign(view_.edges().size(), 0);
   last_stamp_ = 0;
-  cut_of_.assign(surface_.occluders.size(), none);
-  layers_.assign(surface_.occluders.size(), unknown);
+  states_.resize(wanted.size());
+  for (std::size_t f = 0; f < wanted.size(); ++f) states_[f] = {wanted[f] != 0 ? unknown : not_wanted, none};
   queries_ = 0;
-  cut_facets(wanted);
+  find_cuts();
   // Facets that no outline cuts are the better places to start.
-  const auto facets = static_cast<std::uint32_t>(surface_.occluders.size());
+  const auto facets = static_cast<std::uint32_t>(states_.size());
   for (const bool of_cut : {false, true})
     for (std::uint32_t f = 0; f < facets; ++f) {
-      if (wanted[f] == 0 || layers_[f] != unknown || (cut_of_[f] != none) != of_cut) continue;
+      if (states_[f].layers != unknown || (states_[f].cut != none) != of_cut) continue;
       if (!start(f))
-        layers_[f] = failed;
-      else if (!walk_from(f, wanted))
-        for (const std::uint32_t g : patch_) layers_[g] = failed;
+        states_[f].layers = failed;
+      else if (!walk_from(f))
+        for (const std::uint32_t g : patch_) states_[g].layers = failed;
     }
 }
 
-void LayerWalk::cut_facets(const std::vector<std::uint8_t>& wanted) {
+// Whole runs of facets lie where no outline runs.
+void LayerWalk::find_cuts() {
   cuts_.clear();
   edges_.clear();
-  for (std::uint32_t f = 0; f < surface_.occluders.size(); ++f)
-    if (wanted[f] != 0 && cut(f)) keep_cut(f);
+  const auto& nodes = surface_.tree.nodes();
+  const auto cut_if_wanted = [&](std::uint32_t f) {
+    if (states_[f].layers != not_wanted && cut(f)) keep_cut(f);
+  };
+  for (std::uint32_t k = 0; k < nodes.size();) {
+    const FacetTree::Node& node = nodes[k];
+    const Box3 box = surface_.tree.seen_box(node, view_.frame());
+    const bool quiet = !grid_.any(grid_.cells(box.low.x(), box.high.x(), box.low.y(), box.high.y()));
+    if (node.leaf || quiet) {
+      for (std::uint32_t f = node.first; f < node.last && !quiet; ++f) cut_if_wanted(f);
+      if (quiet) {
+        const auto touched = surface_.contacts.among(node.first, node.last);
+        for (const std::uint32_t f : touched) cut_if_wanted(f);
+      }
+      k = node.skip;
+    } else {
+      ++k;
+    }
+  }
 }
 
 bool LayerWalk::cut(std::uint32_t facet) {
@@ -41,28 +59,29 @@ bool LayerWalk::cut(std::uint32_t facet) {
   const auto [x0, x1] = std::minmax({x[ids[0]], x[ids[1]], x[ids[2]]});
   const auto [y0, y1] = std::minmax({y[ids[0]], y[ids[1]], y[ids[2]]});
   const double far = std::min({z[ids[0]], z[ids[1]], z[ids[2]]}) - view_.rounding();
-  const bool touched = surface_.contacts.any(facet);
   bool begun = false;
   const auto begin = [&] {
     if (!begun) cut_.begin(surface_, view_, facet);
     begun = true;
   };
-  if (touched) {
+  if (surface_.contacts.any(facet)) {
     begin();
     cut_.add_contacts();
   }
   const auto cells =
       grid_.cells(x0 - view_.rounding(), x1 + view_.rounding(), y0 - view_.rounding(), y1 + view_.rounding());
+  if (!grid_.any(cells)) return begun && !cut_.empty();
+  sight_.look_at(view_, ids);
   ++last_stamp_;
   for (int row = cells.y0; row <= cells.y1; ++row)
     for (int column = cells.x0; column <= cells.x1; ++column) {
-      if (grid_.near(column, row) < far) continue;
-      for (const std::uint32_t e : grid_.edges_in(column, row)) {
-        if (stamp_[e] == last_stamp_) continue;
-        stamp_[e] = last_stamp_;
-        const OutlineEdge& edge = view_.edges()[e];
+      for (const EdgeGrid::Entry& entry : grid_.edges_in(column, row)) {
         // The edges' boxes are widened by the rounding of both.
-        if (edge.near < far || edge.x0 > x1 || edge.x1 < x0 || edge.y0 > y1 || edge.y1 < y0) continue;
+        if (entry.near < far || entry.x0 > x1 || entry.x1 < x0 || entry.y0 > y1 || entry.y1 < y0) continue;
+        if (stamp_[entry.edge] == last_stamp_) continue;
+        stamp_[entry.edge] = last_stamp_;
+        const OutlineEdge& edge = view_.edges()[entry.edge];
+        if (sight_.certainly_passes_by(edge)) continue;
         begin();
         cut_.add_outline(edge);
       }
@@ -71,7 +90,7 @@ bool LayerWalk::cut(std::uint32_t facet) {
 }
 
 void LayerWalk::keep_cut(std::uint32_t facet) {
-  cut_of_[facet] = static_cast<std::uint32_t>(cuts_.size());
+  states_[facet].cut = static_cast<std::uint32_t>(cuts_.size());
   Cut kept{facet, static_cast<std::uint32_t>(edges_.size()), cut_.error(), {}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     kept.clear[k] = cut_.port_is_clear(k);
@@ -82,13 +101,14 @@ void LayerWalk::keep_cut(std::uint32_t facet) {
 }
 
 LayerWalk::Outlines LayerWalk::outlines_over(std::uint32_t facet) const {
-  const std::uint32_t k = cut_of_[facet];
+  const std::uint32_t k = states_[facet].cut;
   const std::size_t end = k + 1 < cuts_.size() ? cuts_[k + 1].first_edge : edges_.size();
-  return {layers_[facet], std::span(edges_).subspan(cuts_[k].first_edge, end - cuts_[k].first_edge), cuts_[k].error};
+  return {states_[facet].layers, std::span(edges_).subspan(cuts_[k].first_edge, end - cuts_[k].first_edge),
+          cuts_[k].error};
 }
 
 bool LayerWalk::start(std::uint32_t facet) {
-  if (cut_of_[facet] != none) return start_in_cut(facet);
+  if (states_[facet].cut != none) return start_in_cut(facet);
   constexpr std::array<std::array<double, 2>, 4> places{{{0.31, 0.36}, {0.53, 0.23}, {0.17, 0.59}, {0.11, 0.13}}};
   const FacetFrame frame(surface_.occluders, facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
@@ -96,7 +116,7 @@ bool LayerWalk::start(std::uint32_t facet) {
   for (const auto& [u, v] : places) {
     ++queries_;
     if (const auto before = query.count(facet, frame.place(u, v), counted)) {
-      layers_[facet] = before->layers;
+      states_[facet].layers = before->layers;
       return true;
     }
   }
@@ -113,48 +133,61 @@ bool LayerWalk::start_in_cut(std::uint32_t facet) {
     if (!cut_.clear_place(height, u, v)) continue;
     ++queries_;
     if (const auto before = query.count(facet, cut_.frame().place(u, v), counted)) {
-      layers_[facet] = before->layers - cut_.layers_at(u, v);
+      states_[facet].layers = before->layers - cut_.layers_at(u, v);
       return true;
     }
   }
   return false;
 }
 
-bool LayerWalk::walk_from(std::uint32_t facet, const std::vector<std::uint8_t>& wanted) {
+bool LayerWalk::walk_from(std::uint32_t facet) {
   patch_.assign(1, facet);
   bool agrees = true;
   for (std::size_t next = 0; next < patch_.size(); ++next) {
     const std::uint32_t f = patch_[next];
-    agrees = agrees && (cut_of_[f] != none || layers_[f] >= 0);
-    for (std::size_t side = 0; side < 3; ++side) agrees = step(f, side, wanted) && agrees;
+    const State here = states_[f];
+    agrees = agrees && (here.cut != none || here.layers >= 0);
+    const auto& across = surface_.edges.across(f);
+    const int facing = view_.counted()[f];
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (across[side] == OccluderEdges::alone) continue;
+      const std::uint32_t other = across[side] / 2;
+      State& there = states_[other];
+      // Only to the facet that goes on beyond the side: at a fold, both lie on one side of it.
+      if (there.layers == not_wanted || view_.counted()[other] != (across[side] % 2 == 0 ? facing : -facing)) continue;
+      int layers = here.layers;
+      if (here.cut != none || there.cut != none) {
+        const auto more = layers_across(f, side, other);
+        if (!more) continue;
+        layers += *more;
+      }
+      if (there.layers == unknown) {
+        there.layers = layers;
+        patch_.push_back(other);
+      }
+      agrees = agrees && there.layers == layers;
+    }
   }
   return agrees;
 }
 
-bool LayerWalk::step(std::uint32_t facet, std::size_t side, const std::vector<std::uint8_t>& wanted) {
-  const std::uint32_t e = surface_.edges.edge_of(facet, side);
-  if (!view_.is_ordinary(e)) return true;
-  const auto& use = surface_.edges.edges()[e].use;
-  const std::uint32_t other = use[0] / 2 == facet ? use[1] / 2 : use[0] / 2;
-  if (wanted[other] == 0) return true;
-  int layers = layers_[facet];
-  if (cut_of_[facet] != none) {
-    const Cut& from = cuts_[cut_of_[facet]];
-    if (!from.clear[side]) return true;
+std::optional<int> LayerWalk::layers_across(std::uint32_t facet, std::size_t side, std::uint32_t other) const {
+  int layers = 0;
+  if (states_[facet].cut != none) {
+    const Cut& from = cuts_[states_[facet].cut];
+    if (!from.clear[side]) return std::nullopt;
     layers += from.at_port[side];
   }
-  if (cut_of_[other] != none) {
-    const Cut& to = cuts_[cut_of_[other]];
+  if (states_[other].cut != none) {
+    const Cut& to = cuts_[states_[other].cut];
     std::size_t its = 0;
-    while (surface_.edges.edge_of(other, its) != e) ++its;
-    if (!to.clear[its]) return true;
+    while (surface_.edges.across(other)[its] / 2 != facet ||
+           surface_.edges.edge_of(other, its) != surface_.edges.edge_of(facet, side))
+      ++its;
+    if (!to.clear[its]) return std::nullopt;
     layers -= to.at_port[its];
   }
-  if (layers_[other] == unknown) {
-    layers_[other] = layers;
-    patch_.push_back(other);
-  }
-  return layers_[other] == layers;
+  return layers;
 }
 
 }  // namespace lrcs

@@ -1,11 +1,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "lrcs/edge_grid.h"
 #include "lrcs/facet_cut.h"
+#include "lrcs/facet_sight.h"
 #include "lrcs/layer_query.h"
 #include "lrcs/surface.h"
 #include "lrcs/view_outline.h"
@@ -32,9 +34,10 @@ class LayerWalk {
   enum class Known { nothing, layers, outlines };
   // layers: layers_before(facet), everywhere on it. outlines: outlines_over(facet) tells.
   [[nodiscard]] Known known(std::uint32_t facet) const {
-    return layers_[facet] <= failed ? Known::nothing : cut_of_[facet] == none ? Known::layers : Known::outlines;
+    const State& state = states_[facet];
+    return state.layers <= failed ? Known::nothing : state.cut == none ? Known::layers : Known::outlines;
   }
-  [[nodiscard]] int layers_before(std::uint32_t facet) const { return layers_[facet]; }
+  [[nodiscard]] int layers_before(std::uint32_t facet) const { return states_[facet].layers; }
   struct Outlines {
     int base;  // layers at u = -infinity
     std::span<const LayerEdge> edges;
@@ -49,7 +52,12 @@ class LayerWalk {
  private:
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr int unknown = -0x40000000;
-  static constexpr int failed = unknown + 1;
+  static constexpr int not_wanted = unknown + 1;
+  static constexpr int failed = unknown + 2;
+  struct State {        // of a facet
+    int layers;         // before it; the base for one that is cut
+    std::uint32_t cut;  // its place in cuts_; none
+  };
   struct Cut {
     std::uint32_t facet;
     std::uint32_t first_edge;
@@ -58,25 +66,26 @@ class LayerWalk {
     std::array<bool, 3> clear;
   };
 
-  void cut_facets(const std::vector<std::uint8_t>& wanted);
+  void find_cuts();
   // Fills cut_ with all that runs in front of the facet. False: nothing does.
   bool cut(std::uint32_t facet);
   void keep_cut(std::uint32_t facet);
   // Finds the count on one facet by counting layer by layer.
   bool start(std::uint32_t facet);
   bool start_in_cut(std::uint32_t facet);
-  bool walk_from(std::uint32_t facet, const std::vector<std::uint8_t>& wanted);
-  // Steps over side k of a facet. False: the count is another one than what came another way.
-  bool step(std::uint32_t facet, std::size_t side, const std::vector<std::uint8_t>& wanted);
+  // Steps from facet to facet as far as it goes. False: the count differs between two ways, or falls below zero.
+  bool walk_from(std::uint32_t facet);
+  // Layers before what lies across side k of a facet, less its base; nothing where an outline runs too near.
+  [[nodiscard]] std::optional<int> layers_across(std::uint32_t facet, std::size_t side, std::uint32_t other) const;
 
   const Surface& surface_;
   ViewOutline view_;
   EdgeGrid grid_;
+  FacetSight sight_;
   FacetCut cut_;
   std::vector<std::uint32_t> stamp_;  // of outline edges: the last cut that looked at it
   std::uint32_t last_stamp_ = 0;
-  std::vector<std::uint32_t> cut_of_;
-  std::vector<int> layers_;  // before a facet; the base for cut ones
+  std::vector<State> states_;
   std::vector<Cut> cuts_;
   std::vector<LayerEdge> edges_;
   std::vector<std::uint32_t> patch_;  // facets of the walk at hand

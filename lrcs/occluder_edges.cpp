@@ -27,7 +27,8 @@ std::vector<Side> sorted_sides(const Occluders& occluders) {
 
 }  // namespace
 
-OccluderEdges::OccluderEdges(const Occluders& occluders) : edge_of_(occluders.size()) {
+OccluderEdges::OccluderEdges(const Occluders& occluders)
+    : edge_of_(occluders.size()), across_(occluders.size(), {alone, alone, alone}) {
   const auto sides = sorted_sides(occluders);
   const auto none = static_cast<std::uint32_t>(2 * occluders.size());
   uses_.reserve(sides.size());
@@ -42,6 +43,11 @@ OccluderEdges::OccluderEdges(const Occluders& occluders) : edge_of_(occluders.si
       edge_of_[side.facet][side.corner] = edge;
     }
     const std::span<const FacetAtEdge> here = std::span(uses_).subspan(begins_.back());
+    if (here.size() == 2)
+      for (std::size_t u = 0; u < 2; ++u) {
+        const Side& side = sides[k - 2 + u];
+        across_[side.facet][side.corner] = 2 * here[1 - u].facet + (here[0].rising == here[1].rising ? 1 : 0);
+      }
     if (here.size() > 2) crowded_.push_back(edge);
     for (std::size_t u = 0; here.size() <= 2 && u < here.size(); ++u)
       edges_.back().use[u] = 2 * here[u].facet + (here[u].rising ? 1 : 0);

@@ -37,13 +37,17 @@ class OccluderEdges {
   [[nodiscard]] const std::vector<std::uint32_t>& crowded() const { return crowded_; }
   // The edge from a facet's corner k to corner k + 1.
   [[nodiscard]] std::uint32_t edge_of(std::uint32_t facet, std::size_t k) const { return edge_of_[facet][k]; }
+  // The facet across that side, if it is the only other one there: 2 facet + (their windings run against each other
+  // along it ? 0 : 1), as those of a surface with one outside do; else `alone`.
+  static constexpr std::uint32_t alone = 0xffffffff;
+  [[nodiscard]] const std::array<std::uint32_t, 3>& across(std::uint32_t facet) const { return across_[facet]; }
 
  private:
   std::vector<Edge> edges_;
   std::vector<FacetAtEdge> uses_;
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint32_t> crowded_;
-  std::vector<std::array<std::uint32_t, 3>> edge_of_;
+  std::vector<std::array<std::uint32_t, 3>> edge_of_, across_;
 };
 
 }  // namespace lrcs

@@ -56,7 +56,6 @@ void ViewOutline::face_facets() {
 
 void ViewOutline::find_edges() {
   const auto& edges = surface_->edges.edges();
-  ordinary_.resize(edges.size());
   edges_.clear();
   // A facet whose winding rises along the edge lies left of it where its front is seen.
   const auto on_right = [this](std::uint32_t use) {
@@ -65,7 +64,6 @@ void ViewOutline::find_edges() {
   };
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
     const int first = on_right(edges[e].use[0]), second = on_right(edges[e].use[1]);
-    ordinary_[e] = first + second == 0 && first != 0 ? 1 : 0;
     if (first + second != 0) add_edge(e, first + second);
   }
   for (const std::uint32_t e : surface_->edges.crowded()) {

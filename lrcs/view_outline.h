@@ -39,8 +39,6 @@ class ViewOutline {
   // The facing of the facets that count as layers, 0 for others: edge-on ones, and backs of solids. One entry more, 0.
   [[nodiscard]] const std::int8_t* counted() const { return counted_.data(); }
   [[nodiscard]] const std::vector<OutlineEdge>& edges() const { return edges_; }
-  // Is an edge one between two facets side by side: crossing it changes nothing, for who is on the surface itself?
-  [[nodiscard]] bool is_ordinary(std::uint32_t edge) const { return ordinary_[edge] != 0; }
 
  private:
   void face_facets();
@@ -53,7 +51,6 @@ class ViewOutline {
   bool doubtful_ = false;
   std::vector<double> x_, y_, z_;
   std::vector<std::int8_t> facing_, counted_;
-  std::vector<std::uint8_t> ordinary_;
   std::vector<OutlineEdge> edges_;
 };
 
