@@ -55,24 +55,37 @@ double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double toler
   take_edges(edges);
   place_.resize(edges_.size());
   double area = 0.0;
-  std::size_t next = 0;
+  next_ = 0;
   active_.clear();
   for (std::size_t k = 0; k + 1 < heights_.size(); ++k) {
-    const double low = heights_[k];
-    std::erase_if(active_, [&](std::uint32_t e) { return edges_[e].v1 <= low; });
-    for (; next < edges_.size() && edges_[next].v0 <= low; ++next) active_.push_back(static_cast<std::uint32_t>(next));
-    slab_height_ = heights_[k + 1] - low;
-    if (collect_slab(low, heights_[k + 1])) area += slab_height_ * slab_area();
+    slab_height_ = heights_[k + 1] - heights_[k];
+    enter_slab(heights_[k], heights_[k + 1]);
+    if (collect_lines(heights_[k], heights_[k + 1])) area += slab_height_ * slab_area();
   }
   return area;
 }
 
+// Few lines come and go from slab to slab, and few change places: sorting by insertion takes little more than a look.
+void LayerCount::enter_slab(double low, double high) {
+  std::erase_if(active_, [&](const Line& line) { return edges_[line.rank].v1 <= low; });
+  for (; next_ < edges_.size() && edges_[next_].v0 <= low; ++next_)
+    active_.push_back({0.0, 0.0, edges_[next_].step, static_cast<std::uint32_t>(next_)});
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    Line line = active_[k];
+    line.bottom = edges_[line.rank].u_at(low);
+    line.top = edges_[line.rank].u_at(high);
+    const double middle = line.bottom + line.top;
+    std::size_t at = k;
+    for (; at > 0 && active_[at - 1].bottom + active_[at - 1].top > middle; --at) active_[at] = active_[at - 1];
+    active_[at] = line;
+  }
+}
+
 // What passes the slab left of the facet only adds layers, what passes right of it is never reached.
-bool LayerCount::collect_slab(double low, double high) {
+bool LayerCount::collect_lines(double low, double high) {
   lines_.clear();
   int layers_at_left_side = layers_at_left_, taken_away = 0;
-  for (const std::uint32_t e : active_) {
-    const Line line{edges_[e].u_at(low), edges_[e].u_at(high), edges_[e].step, e};
+  for (const Line& line : active_) {
     const bool side = std::abs(line.step) == outside;
     const bool left = line.bottom <= 0.0 && line.top <= 0.0;
     const bool right = line.bottom >= 1.0 - low && line.top >= 1.0 - high;
@@ -88,39 +101,59 @@ bool LayerCount::collect_slab(double low, double high) {
   return layers_at_left_side + taken_away <= 0;
 }
 
-// The order of the lines half way up is theirs at both ends, but for rounding.
-bool LayerCount::lines_cross() const {
-  for (std::size_t k = 1; k < lines_.size(); ++k) {
-    const Line &a = lines_[k - 1], &b = lines_[k];
-    if (a.bottom > b.bottom + tolerance_ || a.top > b.top + tolerance_) return true;
+// Which lines are not in the order that they have half way up, at both ends and but for rounding?
+void LayerCount::find_crossings() {
+  const std::size_t count = lines_.size();
+  crosses_.assign(count, 0);
+  least_bottom_.resize(count);
+  least_top_.resize(count);
+  for (std::size_t k = count; k-- > 0;) {
+    const bool last = k + 1 == count;
+    least_bottom_[k] = last ? lines_[k].bottom : std::min(lines_[k].bottom, least_bottom_[k + 1]);
+    least_top_[k] = last ? lines_[k].top : std::min(lines_[k].top, least_top_[k + 1]);
   }
-  return false;
+  double most_bottom = lines_.front().bottom, most_top = lines_.front().top;
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    most_bottom = std::max(most_bottom, lines_[k].bottom);
+    most_top = std::max(most_top, lines_[k].top);
+    if (most_bottom > least_bottom_[k + 1] + tolerance_ || most_top > least_top_[k + 1] + tolerance_)
+      crosses_[k] = crosses_[k + 1] = 1;
+  }
 }
 
 // Area of the gaps between the layers, in units of the slab's height.
 double LayerCount::slab_area() {
-  std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
-    const double middle_a = a.bottom + a.top, middle_b = b.bottom + b.top;
-    return middle_a != middle_b ? middle_a < middle_b : a.rank < b.rank;
-  });
-  if (lines_cross()) return slab_area_with_crossings();
+  find_crossings();
   double area = 0.0;
   int layers = outside;
-  for (std::size_t k = 0; k + 1 < lines_.size(); ++k) {
-    layers += lines_[k].step;
-    if (layers > 0) continue;
-    const Line &a = lines_[k], &b = lines_[k + 1];
-    const double gap = 0.5 * (std::max(0.0, b.bottom - a.bottom) + std::max(0.0, b.top - a.top));
-    (layers == 0 ? area : negative_area_) += layers == 0 ? gap : slab_height_ * gap;
+  for (std::size_t k = 0; k + 1 < lines_.size();) {
+    const auto is_plain = [&](std::size_t gap) { return crosses_[gap] == 0 && crosses_[gap + 1] == 0; };
+    if (is_plain(k)) {
+      layers += lines_[k].step;
+      const Line &a = lines_[k], &b = lines_[k + 1];
+      const double gap = 0.5 * (std::max(0.0, b.bottom - a.bottom) + std::max(0.0, b.top - a.top));
+      if (layers == 0) area += gap;
+      if (layers < 0) negative_area_ += slab_height_ * gap;
+      ++k;
+      continue;
+    }
+    const std::size_t first = k;
+    int least = layers + (crosses_[first] != 0 ? std::min(0, lines_[first].step) : lines_[first].step), right = layers;
+    for (; k + 1 < lines_.size() && !is_plain(k); ++k) {
+      right += lines_[k].step;
+      least += std::min(0, lines_[k + 1].step);
+    }
+    if (least <= 0) area += area_with_crossings(first, k, layers);
+    layers = right;
   }
   return area;
 }
 
 // Ends that differ by rounding only become equal, so that all later comparisons are plain and agree with each other.
 void LayerCount::snap(double Line::*end) {
-  std::sort(lines_.begin(), lines_.end(), [end](const Line& a, const Line& b) { return a.*end < b.*end; });
-  double first = lines_.front().*end;
-  for (Line& line : lines_) {
+  std::sort(run_.begin(), run_.end(), [end](const Line& a, const Line& b) { return a.*end < b.*end; });
+  double first = run_.front().*end;
+  for (Line& line : run_) {
     if (line.*end - first > tolerance_) first = line.*end;
     line.*end = first;
   }
@@ -132,7 +165,7 @@ bool LayerCount::Crossing::operator>(const Crossing& other) const {
 
 // Notes where a line meets its right neighbour, if it does below the top.
 void LayerCount::expect_crossing(std::size_t left) {
-  const Line &a = lines_[left], &b = lines_[left + 1];
+  const Line &a = run_[left], &b = run_[left + 1];
   if (a.top <= b.top) return;
   const double apart_below = b.bottom - a.bottom;
   crossings_.push_back({apart_below / (apart_below + (a.top - b.top)), a.rank, b.rank});
@@ -142,8 +175,8 @@ void LayerCount::expect_crossing(std::size_t left) {
 double LayerCount::gap_area(std::size_t left, double height) {
   const Gap& gap = gaps_[left];
   if (gap.layers > 0) return 0.0;
-  const double below = lines_[left + 1].bottom - lines_[left].bottom;
-  const double above = lines_[left + 1].top - lines_[left].top;
+  const double below = run_[left + 1].bottom - run_[left].bottom;
+  const double above = run_[left + 1].top - run_[left].top;
   const double middle = 0.5 * (gap.since + height);
   const double area = (height - gap.since) * (below + middle * (above - below));
   if (gap.layers == 0) return area;
@@ -153,24 +186,24 @@ double LayerCount::gap_area(std::size_t left, double height) {
 
 // Two lines that change places are then in the order they have at the top, and stay so: every pair crosses once at
 // most, in whatever order rounding lets crossings come.
-double LayerCount::slab_area_with_crossings() {
+double LayerCount::area_with_crossings(std::size_t first, std::size_t last, int layers) {
+  run_.assign(lines_.begin() + static_cast<std::ptrdiff_t>(first), lines_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   snap(&Line::top);
   snap(&Line::bottom);
-  std::sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
+  std::sort(run_.begin(), run_.end(), [](const Line& a, const Line& b) {
     return std::tie(a.bottom, a.top, a.rank) < std::tie(b.bottom, b.top, b.rank);
   });
   gaps_.clear();
   crossings_.clear();
-  int layers = outside;
-  for (std::uint32_t k = 0; k < lines_.size(); ++k) {
-    layers += lines_[k].step;
+  for (std::uint32_t k = 0; k < run_.size(); ++k) {
+    layers += run_[k].step;
     gaps_.push_back({layers, 0.0});
-    place_[lines_[k].rank] = k;
-    if (k + 1 < lines_.size()) expect_crossing(k);
+    place_[run_[k].rank] = k;
+    if (k + 1 < run_.size()) expect_crossing(k);
   }
   double area = 0.0;
   double height = 0.0;
-  const auto last = lines_.size() - 1;
+  const auto end = run_.size() - 1;
   while (!crossings_.empty()) {
     std::pop_heap(crossings_.begin(), crossings_.end(), std::greater<>());
     const Crossing crossing = crossings_.back();
@@ -178,18 +211,18 @@ double LayerCount::slab_area_with_crossings() {
     const std::size_t k = place_[crossing.left];
     if (place_[crossing.right] != k + 1) continue;  // no longer, or not yet, neighbours
     height = std::max(height, crossing.height);
-    const std::size_t first_gap = k > 0 ? k - 1 : 0, last_gap = std::min(k + 1, last - 1);
+    const std::size_t first_gap = k > 0 ? k - 1 : 0, last_gap = std::min(k + 1, end - 1);
     for (std::size_t gap = first_gap; gap <= last_gap; ++gap) {
       area += gap_area(gap, height);
       gaps_[gap].since = height;
     }
-    std::swap(lines_[k], lines_[k + 1]);
+    std::swap(run_[k], run_[k + 1]);
     std::swap(place_[crossing.left], place_[crossing.right]);
-    gaps_[k].layers += lines_[k].step - lines_[k + 1].step;
+    gaps_[k].layers += run_[k].step - run_[k + 1].step;
     if (k > 0) expect_crossing(k - 1);
-    if (k + 2 <= last) expect_crossing(k + 1);
+    if (k + 2 <= end) expect_crossing(k + 1);
   }
-  for (std::size_t gap = 0; gap < last; ++gap) area += gap_area(gap, 1.0);
+  for (std::size_t gap = 0; gap < end; ++gap) area += gap_area(gap, 1.0);
   return area;
 }
 

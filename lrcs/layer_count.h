@@ -49,21 +49,28 @@ class LayerCount {
   };
 
   void take_edges(std::span<const LayerEdge> edges);
+  void enter_slab(double low, double high);
   // False: all of the slab is covered, whatever the order of its lines.
-  [[nodiscard]] bool collect_slab(double low, double high);
+  [[nodiscard]] bool collect_lines(double low, double high);
   [[nodiscard]] double slab_area();
-  [[nodiscard]] double slab_area_with_crossings();
-  [[nodiscard]] bool lines_cross() const;
+  void find_crossings();
+  // The same between lines first and last, which may cross, with `layers` at their left.
+  [[nodiscard]] double area_with_crossings(std::size_t first, std::size_t last, int layers);
   void snap(double Line::*end);
   void expect_crossing(std::size_t left);
   // The gap's area [in units of the slab's height] from its beginning to `height`, if nothing covers it.
   [[nodiscard]] double gap_area(std::size_t left, double height);
 
   std::vector<Edge> edges_;
-  std::vector<std::uint32_t> active_;
+  std::vector<Line> active_;  // edges in the slab at hand, in their order half way up
+  std::size_t next_ = 0;      // edge that has not been active yet
   std::vector<double> heights_;
-  std::vector<Line> lines_;           // of the slab at hand, from left to right
-  std::vector<Gap> gaps_;             // gaps_[k]: right of lines_[k]
+  std::vector<Line> lines_;           // of the slab at hand that pass over the facet, in that order
+  std::vector<double> least_bottom_;  // of a line and those right of it
+  std::vector<double> least_top_;
+  std::vector<std::uint8_t> crosses_;  // a line: some other
+  std::vector<Line> run_;              // lines that may cross each other, from left to right
+  std::vector<Gap> gaps_;             // gaps_[k]: right of run_[k]
   std::vector<Crossing> crossings_;   // a heap, the lowest first
   std::vector<std::uint32_t> place_;  // of a line by its rank
   double tolerance_ = 0.0;
