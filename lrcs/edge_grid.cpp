@@ -35,14 +35,14 @@ int EdgeGrid::row_of(double y) const {
 }
 
 // About four cells an edge, as square as may be.
-void EdgeGrid::lay_out(const std::vector<OutlineEdge>& edges) {
+void EdgeGrid::lay_out(const std::vector<OutlineEdge>& edges, double rounding) {
   double x1 = -infinity, y1 = -infinity;
   x0_ = y0_ = infinity;
   for (const OutlineEdge& e : edges) {
-    x0_ = std::min(x0_, e.x0);
-    y0_ = std::min(y0_, e.y0);
-    x1 = std::max(x1, e.x1);
-    y1 = std::max(y1, e.y1);
+    x0_ = std::min({x0_, e.at_low.x() - rounding, e.at_high.x() - rounding});
+    y0_ = std::min({y0_, e.at_low.y() - rounding, e.at_high.y() - rounding});
+    x1 = std::max({x1, e.at_low.x() + rounding, e.at_high.x() + rounding});
+    y1 = std::max({y1, e.at_low.y() + rounding, e.at_high.y() + rounding});
   }
   constexpr int most = 2048;
   const double cells = 4.0 * static_cast<double>(edges.size()) + 16.0;
@@ -59,21 +59,18 @@ void EdgeGrid::lay_out(const std::vector<OutlineEdge>& edges) {
 
 // The cells that an edge passes through, row by row.
 template <class Visit>
-void EdgeGrid::visit_cells(const OutlineEdge& edge, const double* x, const double* y, double rounding,
-                           const Visit& visit) const {
-  const int row0 = row_of(edge.y0), row1 = row_of(edge.y1);
-  double xa = x[edge.low], ya = y[edge.low], xb = x[edge.high], yb = y[edge.high];
-  if (ya > yb) {
-    std::swap(xa, xb);
-    std::swap(ya, yb);
-  }
-  const double slope = yb > ya ? (xb - xa) / (yb - ya) : 0.0;
+void EdgeGrid::visit_cells(const OutlineEdge& edge, double rounding, const Visit& visit) const {
+  const bool rises = edge.at_low.y() <= edge.at_high.y();
+  const Vec3 &a = rises ? edge.at_low : edge.at_high, &b = rises ? edge.at_high : edge.at_low;
+  const int row0 = row_of(a.y() - rounding), row1 = row_of(b.y() + rounding);
+  const double x0 = std::min(a.x(), b.x()) - rounding, x1 = std::max(a.x(), b.x()) + rounding;
+  const double slope = b.y() > a.y() ? (b.x() - a.x()) / (b.y() - a.y()) : 0.0;
   for (int row = row0; row <= row1; ++row) {
-    double from = edge.x0, to = edge.x1;
+    double from = x0, to = x1;
     if (row1 > row0 && slope != 0.0) {
       // The rounding of x and y is larger than that of what follows.
       const double low = y0_ + row / per_y_ - rounding, high = y0_ + (row + 1) / per_y_ + rounding;
-      const double at_low = xa + slope * (low - ya), at_high = xa + slope * (high - ya);
+      const double at_low = a.x() + slope * (low - a.y()), at_high = a.x() + slope * (high - a.y());
       from = std::max(from, std::min(at_low, at_high) - rounding);
       to = std::min(to, std::max(at_low, at_high) + rounding);
     }
@@ -83,18 +80,22 @@ void EdgeGrid::visit_cells(const OutlineEdge& edge, const double* x, const doubl
   }
 }
 
-void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, const double* x, const double* y, double rounding) {
-  lay_out(edges);
+void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
+  lay_out(edges, rounding);
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begins_.assign(cells + 1, 0);
-  for (const OutlineEdge& e : edges) visit_cells(e, x, y, rounding, [&](std::size_t cell) { ++begins_[cell + 1]; });
+  for (const OutlineEdge& e : edges) visit_cells(e, rounding, [&](std::size_t cell) { ++begins_[cell + 1]; });
   for (std::size_t k = 0; k < cells; ++k) begins_[k + 1] += begins_[k];
   edges_.resize(begins_[cells]);
   next_.assign(begins_.begin(), begins_.end() - 1);
   for (std::uint32_t k = 0; k < edges.size(); ++k) {
     const OutlineEdge& e = edges[k];
-    const Entry entry{below(e.x0), above(e.x1), below(e.y0), above(e.y1), above(e.near), k};
-    visit_cells(e, x, y, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
+    const auto [x0, x1] = std::minmax(e.at_low.x(), e.at_high.x());
+    const auto [y0, y1] = std::minmax(e.at_low.y(), e.at_high.y());
+    const double near = std::max(e.at_low.z(), e.at_high.z());
+    const Entry entry{below(x0 - rounding), above(x1 + rounding), below(y0 - rounding),
+                      above(y1 + rounding), above(near + rounding), k};
+    visit_cells(e, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
   }
   const auto across = static_cast<std::size_t>(columns_) + 1;
   filled_before_.assign(across * (static_cast<std::size_t>(rows_) + 1), 0);

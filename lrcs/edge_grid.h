@@ -10,14 +10,14 @@ namespace lrcs {
 // The outline edges of a view in the cells of a grid across it.
 class EdgeGrid {
  public:
-  // Keeps a view of the edges. frame: x and y of the view, in the box given.
-  void fill(const std::vector<OutlineEdge>& edges, const double* x, const double* y, double rounding);
+  // `rounding`: error of the coordinates in the view.
+  void fill(const std::vector<OutlineEdge>& edges, double rounding);
 
   struct Cells {  // columns and rows [low, high]
     int x0, x1, y0, y1;
   };
   [[nodiscard]] Cells cells(double x0, double x1, double y0, double y1) const;
-  // An edge in a cell: its box across the view and its largest z, rounded outward, and its number.
+  // An edge in a cell: its box across the view and its largest z, widened by the rounding, and its number.
   struct Entry {
     float x0, x1, y0, y1, near;
     std::uint32_t edge;
@@ -31,10 +31,9 @@ class EdgeGrid {
   [[nodiscard]] bool any(const Cells& cells) const;
 
  private:
-  void lay_out(const std::vector<OutlineEdge>& edges);
+  void lay_out(const std::vector<OutlineEdge>& edges, double rounding);
   template <class Visit>
-  void visit_cells(const OutlineEdge& edge, const double* x, const double* y, double rounding,
-                   const Visit& visit) const;
+  void visit_cells(const OutlineEdge& edge, double rounding, const Visit& visit) const;
   [[nodiscard]] int column_of(double x) const;
   [[nodiscard]] int row_of(double y) const;
 

@@ -8,7 +8,6 @@
 namespace lrcs {
 
 void FacetSight::look_at(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids) {
-  view_ = &view;
   ids_ = ids;
   x0_ = view.x()[ids[0]];
   y0_ = view.y()[ids[0]];
@@ -46,12 +45,13 @@ bool FacetSight::certainly_passes_by(const OutlineEdge& edge) const {
     if (corner[k] >= 0) {
       p = corners[static_cast<std::size_t>(corner[k])];
     } else {
-      const double dx = view_->x()[id] - x0_, dy = view_->y()[id] - y0_;
+      const Vec3& at = k == 0 ? edge.at_low : edge.at_high;
+      const double dx = at.x() - x0_, dy = at.y() - y0_;
       p.u = u_x_ * dx + u_y_ * dy;
       p.v = v_x_ * dx + v_y_ * dy;
       const double reach = 1.0 + std::abs(p.u) + std::abs(p.v);
       most = std::max(most, reach);
-      behind = behind && view_->z()[id] - (z0_ + p.u * z_u_ + p.v * z_v_) < -height_slack_ * reach;
+      behind = behind && at.z() - (z0_ + p.u * z_u_ + p.v * z_v_) < -height_slack_ * reach;
     }
     beyond &= sides_beyond(p, corner[k], slack_ * (1.0 + std::abs(p.u) + std::abs(p.v)));
   }

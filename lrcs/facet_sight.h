@@ -16,7 +16,6 @@ class FacetSight {
   [[nodiscard]] bool certainly_passes_by(const OutlineEdge& edge) const;
 
  private:
-  const ViewOutline* view_ = nullptr;
   std::array<std::uint32_t, 3> ids_{};
   double x0_ = 0.0, y0_ = 0.0, z0_ = 0.0;                 // of corner 0
   double u_x_ = 0.0, u_y_ = 0.0, v_x_ = 0.0, v_y_ = 0.0;  // change of u and v with x and y

@@ -57,19 +57,37 @@ double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double toler
   double area = 0.0;
   next_ = 0;
   active_.clear();
+  surely_ = layers_at_left;
   for (std::size_t k = 0; k + 1 < heights_.size(); ++k) {
     slab_height_ = heights_[k + 1] - heights_[k];
-    enter_slab(heights_[k], heights_[k + 1]);
+    if (!pass_to_slab(heights_[k])) continue;
+    order_lines(heights_[k], heights_[k + 1]);
     if (collect_lines(heights_[k], heights_[k + 1])) area += slab_height_ * slab_area();
   }
   return area;
 }
 
+bool LayerCount::pass_to_slab(double low) {
+  const auto share = [this](std::uint32_t edge) {
+    const Edge& e = edges_[edge];
+    if (std::abs(e.step) == outside) return 0;
+    return e.u0 <= 0.0 && e.u1 <= 0.0 ? e.step : std::min(0, e.step);
+  };
+  std::erase_if(active_, [&](const Line& line) {
+    const bool ends = edges_[line.rank].v1 <= low;
+    if (ends) surely_ -= share(line.rank);
+    return ends;
+  });
+  for (; next_ < edges_.size() && edges_[next_].v0 <= low; ++next_) {
+    const auto edge = static_cast<std::uint32_t>(next_);
+    active_.push_back({0.0, 0.0, edges_[next_].step, edge});
+    surely_ += share(edge);
+  }
+  return surely_ <= 0;
+}
+
 // Few lines come and go from slab to slab, and few change places: sorting by insertion takes little more than a look.
-void LayerCount::enter_slab(double low, double high) {
-  std::erase_if(active_, [&](const Line& line) { return edges_[line.rank].v1 <= low; });
-  for (; next_ < edges_.size() && edges_[next_].v0 <= low; ++next_)
-    active_.push_back({0.0, 0.0, edges_[next_].step, static_cast<std::uint32_t>(next_)});
+void LayerCount::order_lines(double low, double high) {
   for (std::size_t k = 0; k < active_.size(); ++k) {
     Line line = active_[k];
     line.bottom = edges_[line.rank].u_at(low);

@@ -49,7 +49,9 @@ class LayerCount {
   };
 
   void take_edges(std::span<const LayerEdge> edges);
-  void enter_slab(double low, double high);
+  // Lets edges come and go. False: all of the slab is covered, wherever its lines are.
+  [[nodiscard]] bool pass_to_slab(double low);
+  void order_lines(double low, double high);
   // False: all of the slab is covered, whatever the order of its lines.
   [[nodiscard]] bool collect_lines(double low, double high);
   [[nodiscard]] double slab_area();
@@ -64,6 +66,7 @@ class LayerCount {
   std::vector<Edge> edges_;
   std::vector<Line> active_;  // edges in the slab at hand, in their order half way up
   std::size_t next_ = 0;      // edge that has not been active yet
+  int surely_ = 0;            // layers in the slab at hand if all lines that take away had done so
   std::vector<double> heights_;
   std::vector<Line> lines_;           // of the slab at hand that pass over the facet, in that order
   std::vector<double> least_bottom_;  // of a line and those right of it

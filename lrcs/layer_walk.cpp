@@ -7,7 +7,7 @@
 namespace lrcs {
 
 void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
-  grid_.fill(view_.edges(), view_.x(), view_.y(), view_.rounding());
+  grid_.fill(view_.edges(), view_.rounding());
   stamp_.assign(view_.edges().size(), 0);
   last_stamp_ = 0;
   states_.resize(wanted.size());
@@ -77,8 +77,9 @@ bool LayerWalk::cut(std::uint32_t facet) {
     for (int column = cells.x0; column <= cells.x1; ++column) {
       for (const EdgeGrid::Entry& entry : grid_.edges_in(column, row)) {
         // The edges' boxes are widened by the rounding of both.
-        if (entry.near < far || entry.x0 > x1 || entry.x1 < x0 || entry.y0 > y1 || entry.y1 < y0) continue;
-        if (stamp_[entry.edge] == last_stamp_) continue;
+        const int apart = (entry.near < far ? 1 : 0) | (entry.x0 > x1 ? 1 : 0) | (entry.x1 < x0 ? 1 : 0) |
+                          (entry.y0 > y1 ? 1 : 0) | (entry.y1 < y0 ? 1 : 0);
+        if (apart != 0 || stamp_[entry.edge] == last_stamp_) continue;
         stamp_[entry.edge] = last_stamp_;
         const OutlineEdge& edge = view_.edges()[entry.edge];
         if (sight_.certainly_passes_by(edge)) continue;

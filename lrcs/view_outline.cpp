@@ -75,10 +75,7 @@ void ViewOutline::find_edges() {
 
 void ViewOutline::add_edge(std::uint32_t edge, int gain) {
   const auto [low, high, use] = surface_->edges.edges()[edge];
-  const auto [x0, x1] = std::minmax(x_[low], x_[high]);
-  const auto [y0, y1] = std::minmax(y_[low], y_[high]);
-  edges_.push_back({low, high, gain, x0 - rounding_, x1 + rounding_, y0 - rounding_, y1 + rounding_,
-                    std::max(z_[low], z_[high]) + rounding_});
+  edges_.push_back({low, high, gain, Vec3(x_[low], y_[low], z_[low]), Vec3(x_[high], y_[high], z_[high])});
 }
 
 }  // namespace lrcs

@@ -12,8 +12,7 @@ namespace lrcs {
 struct OutlineEdge {
   std::uint32_t low, high;  // vertices
   int gain;                 // facets on the right less those on the left, looking from low to high
-  double x0, x1, y0, y1;    // its box across the view, widened by the rounding
-  double near;              // its largest z, and more
+  Vec3 at_low, at_high;     // in the view
 };
 
 // A target as seen along one direction: places across the view, which way facets face, and the edges of the outline.
