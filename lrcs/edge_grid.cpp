@@ -93,7 +93,7 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
     const auto [x0, x1] = std::minmax(e.at_low.x(), e.at_high.x());
     const auto [y0, y1] = std::minmax(e.at_low.y(), e.at_high.y());
     const double near = std::max(e.at_low.z(), e.at_high.z());
-    const Entry entry{below(x0 - rounding), above(x1 + rounding), below(y0 - rounding),
+    const Entry entry{below(x0 - rounding), above(x1 + rounding),   below(y0 - rounding),
                       above(y1 + rounding), above(near + rounding), k};
     visit_cells(e, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
   }

@@ -52,6 +52,9 @@ FacetPoint FacetFrame::passage(std::uint32_t low, std::uint32_t high, double& er
   const double slack = rounding(std::max(reach(low), reach(high)));
   error = slack;
   if (low == high) return {a.u, a.v, 0.0, 0.0};
+  // The signs first: they differ, and so do the heights.
+  if (!a.sign_is_certain()) refine(a, low);
+  if (!b.sign_is_certain()) refine(b, high);
   if (passage_error(a, b) > 64.0 * slack) {
     refine(a, low);
     refine(b, high);

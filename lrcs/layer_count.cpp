@@ -30,6 +30,7 @@ void LayerCount::take_edges(std::span<const LayerEdge> edges) {
     }
     if (e.v1 <= 0.0 || e.v0 >= 1.0 || e.v0 == e.v1) continue;
     e.slope = (e.u1 - e.u0) / (e.v1 - e.v0);
+    if (!std::isfinite(e.slope)) e.slope = 0.0;  // no height lies between its ends
     const double at_bottom = e.u_at(0.0), at_top = e.u_at(1.0);
     if (e.v0 < 0.0) {
       e.u0 = at_bottom;
@@ -205,7 +206,8 @@ double LayerCount::gap_area(std::size_t left, double height) {
 // Two lines that change places are then in the order they have at the top, and stay so: every pair crosses once at
 // most, in whatever order rounding lets crossings come.
 double LayerCount::area_with_crossings(std::size_t first, std::size_t last, int layers) {
-  run_.assign(lines_.begin() + static_cast<std::ptrdiff_t>(first), lines_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  run_.assign(lines_.begin() + static_cast<std::ptrdiff_t>(first),
+              lines_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   snap(&Line::top);
   snap(&Line::bottom);
   std::sort(run_.begin(), run_.end(), [](const Line& a, const Line& b) {

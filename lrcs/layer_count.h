@@ -73,9 +73,9 @@ class LayerCount {
   std::vector<double> least_top_;
   std::vector<std::uint8_t> crosses_;  // a line: some other
   std::vector<Line> run_;              // lines that may cross each other, from left to right
-  std::vector<Gap> gaps_;             // gaps_[k]: right of run_[k]
-  std::vector<Crossing> crossings_;   // a heap, the lowest first
-  std::vector<std::uint32_t> place_;  // of a line by its rank
+  std::vector<Gap> gaps_;              // gaps_[k]: right of run_[k]
+  std::vector<Crossing> crossings_;    // a heap, the lowest first
+  std::vector<std::uint32_t> place_;   // of a line by its rank
   double tolerance_ = 0.0;
   double negative_area_ = 0.0;
   double slab_height_ = 0.0;
