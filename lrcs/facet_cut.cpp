@@ -65,7 +65,7 @@ void FacetCut::add_contacts() {
   const auto of = surface_->contacts.of(facet_);
   if (of.covered) clear_ = {false, false, false};
   for (const auto& passage : of.passages) {
-    const int counted = view_->counted()[passage.facet];
+    const int counted = view_->counts(passage.facet);
     // The layer lies left of the line from where its winding goes below to where it comes up, in the view.
     double error_leaves = 0.0, error_enters = 0.0;
     const FacetPoint leaves = frame_.passage(passage.leaves.low, passage.leaves.high, error_leaves);
@@ -87,7 +87,7 @@ int FacetCut::gain_of(const Contacts::LyingEdge& edge, const std::int8_t* sides)
   int gain = 0;
   for (const FacetAtEdge& use : surface_->edges.facets_at(edge.edge)) {
     const double side = frame_.facing() * *sides++;
-    const int counted = view_->counted()[use.facet];
+    const int counted = view_->counts(use.facet);
     const bool before = side > 0.0 || (side == 0.0 && ranks_before(surface_->occluders, use.facet, counted > 0, facet_,
                                                                    frame_.facing() > 0.0));
     if (before) gain += use.rising ? -counted : counted;

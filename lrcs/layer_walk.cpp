@@ -113,7 +113,7 @@ bool LayerWalk::start(std::uint32_t facet) {
   constexpr std::array<std::array<double, 2>, 4> places{{{0.31, 0.36}, {0.53, 0.23}, {0.17, 0.59}, {0.11, 0.13}}};
   const FacetFrame frame(surface_.occluders, facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
-  const auto counted = [this](std::uint32_t f) { return int{view_.counted()[f]}; };
+  const auto counted = [this](std::uint32_t f) { return view_.counts(f); };
   for (const auto& [u, v] : places) {
     ++queries_;
     if (const auto before = query.count(facet, frame.place(u, v), counted)) {
@@ -128,7 +128,7 @@ bool LayerWalk::start_in_cut(std::uint32_t facet) {
   constexpr std::array<double, 6> heights{0.29, 0.13, 0.53, 0.05, 0.71, 0.4};
   cut(facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
-  const auto counted = [this](std::uint32_t f) { return int{view_.counted()[f]}; };
+  const auto counted = [this](std::uint32_t f) { return view_.counts(f); };
   for (const double height : heights) {
     double u = 0.0, v = 0.0;
     if (!cut_.clear_place(height, u, v)) continue;
@@ -149,13 +149,13 @@ bool LayerWalk::walk_from(std::uint32_t facet) {
     const State here = states_[f];
     agrees = agrees && (here.cut != none || here.layers >= 0);
     const auto& across = surface_.edges.across(f);
-    const int facing = view_.counted()[f];
+    const int facing = view_.counts(f);
     for (std::size_t side = 0; side < 3; ++side) {
       if (across[side] == OccluderEdges::alone) continue;
       const std::uint32_t other = across[side] / 2;
       State& there = states_[other];
       // Only to the facet that goes on beyond the side: at a fold, both lie on one side of it.
-      if (there.layers == not_wanted || view_.counted()[other] != (across[side] % 2 == 0 ? facing : -facing)) continue;
+      if (there.layers == not_wanted || view_.counts(other) != (across[side] % 2 == 0 ? facing : -facing)) continue;
       int layers = here.layers;
       if (here.cut != none || there.cut != none) {
         const auto more = layers_across(f, side, other);

@@ -37,6 +37,7 @@ class ViewOutline {
   [[nodiscard]] bool is_doubtful() const { return doubtful_; }
   // The facing of the facets that count as layers, 0 for others: edge-on ones, and backs of solids. One entry more, 0.
   [[nodiscard]] const std::int8_t* counted() const { return counted_.data(); }
+  [[nodiscard]] int counts(std::uint32_t facet) const { return int{counted_[facet]}; }
   [[nodiscard]] const std::vector<OutlineEdge>& edges() const { return edges_; }
 
  private:
