@@ -55,6 +55,10 @@ TEST(ReadMesh, ReadsABinaryStlWhoseHeaderBeginsWithSolid) {
   expect_same_surface(mesh_of_file("a.stl", binary_stl(float_box(), "solid of a text? no")), float_box());
 }
 
+TEST(ReadMesh, ReadsABinaryStlWhoseHeaderIsAWholeTextStl) {
+  expect_same_surface(mesh_of_file("a.stl", binary_stl(float_box(), "solid\nendsolid\n")), float_box());
+}
+
 TEST(ReadMesh, PassesOverAByteOrderMark) {
   expect_same_surface(mesh_of_file("a.obj", "\xef\xbb\xbf" + obj(odd_box())), odd_box());
 }
