@@ -154,5 +154,12 @@ TEST(ReadOff, PassesOverCommentsColoursAndNormals) {
     EXPECT_EQ(mesh_of_file("a.off", keyword + rows).facets, (Triangles{{0, 1, 2}})) << keyword;
 }
 
+TEST(ReadOff, TakesRowsWhoseEndIsContinuedOrACommentOrMissing) {
+  for (const std::string row : {"3 0 \\\n 1 2", "3 0 1 2 # end", "3 0\v1\f2 \\", "+3 0 1 2 red"})
+    EXPECT_EQ(mesh_of_file("a.off", "OFF\n3 1 0\n0 0 0\n1 \\\r\n0 0\n0 1 0 # last \\\n" + row).facets,
+              (Triangles{{0, 1, 2}}))
+        << row;
+}
+
 }  // namespace
 }  // namespace lrcs
