@@ -1,5 +1,10 @@
+#include <CGAL/IO/OFF.h>
+#include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
 
+#include <sstream>
+
+#include "base/input_error.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
 #include "mesh/text_scanner.h"
@@ -42,45 +47,62 @@ std::int64_t read_count(TextScanner& scanner, std::string_view what) {
   return count;
 }
 
-void read_vertex(TextScanner& scanner, MeshBuilder& builder) {
-  const double x = scanner.coordinate();
-  const double y = scanner.coordinate();
-  builder.add_position({x, y, scanner.coordinate()});
-}
-
-void read_face(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uint32_t>& corners) {
+void check_face(TextScanner& scanner, std::int64_t vertices) {
   const std::int64_t size = scanner.integer();
   if (size < 3) scanner.fail(fmt::format("expected a face of at least 3 vertices, found {}", size));
-  const auto vertices = static_cast<std::int64_t>(builder.position_count());
-  corners.clear();
   for (std::int64_t k = 0; k < size; ++k) {
     const std::int64_t index = scanner.integer();
     if (index < 0 || index >= vertices)
       scanner.fail(fmt::format("vertex {} does not exist, expected 0 to {}", index, vertices - 1));
-    corners.push_back(static_cast<std::uint32_t>(index));
   }
-  builder.add_polygon(corners);
 }
 
-}  // namespace
+void check_vertex(TextScanner& scanner) {
+  for (int axis = 0; axis < 3; ++axis) scanner.coordinate();
+}
 
-FacetMesh read_off(std::string_view content, const std::string& file) {
+// Checks a row, and adds the words checked to `text` as a line. A line end among them is one that a backslash
+// continues.
+template <class Check>
+void copy_row(TextScanner& scanner, std::string_view content, std::string& text, const Check& check) {
+  const std::size_t begin = content.size() - scanner.left();
+  check(scanner);
+  for (const char c : content.substr(begin, content.size() - scanner.left() - begin))
+    text += c == '\\' || c == '\n' || c == '\r' ? ' ' : c;
+  text += '\n';
+}
+
+// The file for CGAL, every row checked: CGAL knows neither CR as a line end nor where an error is, reads "3,5" as 3 and
+// vertex 1.7 as 1, makes room for whatever number of corners is named, and misses normals that prefixes announce.
+std::string checked_text(std::string_view content, const std::string& file) {
   TextScanner scanner(content, file);
-  MeshBuilder builder;
-  std::vector<std::uint32_t> corners;
   read_keyword(scanner);
   if (line_is_used_up(scanner) && !next_used_line(scanner))
     scanner.fail("expected the numbers of vertices and faces, found the end of the file");
   const std::int64_t vertices = read_count(scanner, "vertices");
   const std::int64_t faces = read_count(scanner, "faces");
+  std::string text = fmt::format("OFF {} {} 0\n", vertices, faces);
   for (std::int64_t k = 1; k <= vertices; ++k) {
     next_row(scanner, "vertex", k, vertices);
-    read_vertex(scanner, builder);
+    copy_row(scanner, content, text, check_vertex);
   }
   for (std::int64_t k = 1; k <= faces; ++k) {
     next_row(scanner, "face", k, faces);
-    read_face(scanner, builder, corners);
+    copy_row(scanner, content, text, [&](TextScanner& row) { check_face(row, vertices); });
   }
+  return text;
+}
+
+}  // namespace
+
+FacetMesh read_off(std::string_view content, const std::string& file) {
+  std::istringstream text(checked_text(content, file));
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::uint32_t>> polygons;
+  if (!CGAL::IO::read_OFF(text, points, polygons)) throw InputError(Place{file}, "cannot be read, expected OFF");
+  MeshBuilder builder;
+  for (const auto& p : points) builder.add_position({p.x(), p.y(), p.z()});
+  for (const auto& polygon : polygons) builder.add_polygon(polygon);
   return builder.finish();
 }
 

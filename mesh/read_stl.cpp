@@ -1,7 +1,8 @@
+#include <CGAL/IO/STL.h>
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstring>
+#include <sstream>
 
 #include "base/input_error.h"
 #include "mesh/file_format.h"
@@ -11,6 +12,9 @@
 
 namespace lrcs {
 namespace {
+
+constexpr std::size_t stl_header = 84;
+constexpr std::size_t stl_record = 50;
 
 void expect(TextScanner& scanner, std::string_view keyword) {
   const std::string_view word = scanner.next_word();
@@ -51,6 +55,17 @@ Vec3 vertex_at(std::string_view content, std::size_t at) {
   return {float_at(content, at), float_at(content, at + 4), float_at(content, at + 8)};
 }
 
+// CGAL takes a vertex with NaN for another one.
+void require_finite(std::string_view content, std::size_t count, const std::string& file) {
+  for (std::size_t vertex = 0; vertex < 3 * count; ++vertex) {
+    const std::size_t facet = vertex / 3;
+    const Vec3 p = vertex_at(content, stl_header + stl_record * facet + 12 * (vertex % 3 + 1));
+    if (!p.allFinite())
+      throw InputError(Place{file}, fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
+                                                facet + 1, count, p.x(), p.y(), p.z()));
+  }
+}
+
 }  // namespace
 
 FacetMesh read_text_stl(std::string_view content, const std::string& file) {
@@ -69,27 +84,22 @@ FacetMesh read_text_stl(std::string_view content, const std::string& file) {
 }
 
 FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
-  constexpr std::size_t header = 84;
-  constexpr std::size_t record = 50;
-  if (content.size() < header)
+  if (content.size() < stl_header)
     throw InputError(Place{file},
                      fmt::format("ends after {} bytes, expected a binary STL header of 84", content.size()));
   const std::size_t count = binary_stl_count(content);
-  if (content.size() != header + record * count)
+  if (content.size() != stl_header + stl_record * count)
     throw InputError(Place{file}, fmt::format("has {} bytes, expected {} for the {} facets of its binary STL header",
-                                              content.size(), header + record * count, count));
+                                              content.size(), stl_header + stl_record * count, count));
+  require_finite(content, count, file);
+  // CGAL would read a header that begins with "solid" as text.
+  std::istringstream bytes(std::string(80, '-').append(content.substr(80)));
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  if (!CGAL::IO::read_STL(bytes, points, triangles)) throw InputError(Place{file}, "cannot be read as binary STL");
   MeshBuilder builder;
-  for (std::size_t facet = 0; facet < count; ++facet) {
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 p = vertex_at(content, header + record * facet + 12 * (k + 1));
-      if (!p.allFinite())
-        throw InputError(Place{file}, fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
-                                                  facet + 1, count, p.x(), p.y(), p.z()));
-      corners[k] = builder.add_position(p);
-    }
-    builder.add_polygon(corners);
-  }
+  for (const auto& [x, y, z] : points) builder.add_position({x, y, z});
+  for (const auto& triangle : triangles) builder.add_polygon(triangle);
   return builder.finish();
 }
 

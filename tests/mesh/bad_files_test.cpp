@@ -222,6 +222,15 @@ TEST(BadOff, IsWrong) {
             "a.off:2:1: expected the numbers of vertices and faces, found the end of the file");
 }
 
+TEST(BadOff, HasNumbersThatAreNone) {
+  EXPECT_EQ(complaint_about("a.off", "OFF\n3 1 0\n0 0 0\n1 0,5 0 1\n0 1 0\n3 0 1 2\n"),
+            "a.off:4:3: expected a coordinate, a finite number, found '0,5'");
+  EXPECT_EQ(complaint_about("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1.7 2\n"),
+            "a.off:6:5: expected an integer, found '1.7'");
+  EXPECT_EQ(complaint_about("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n100000000 0 1 2\n"),
+            "a.off:6:16: expected an integer, found the end of the line");
+}
+
 TEST(BadFile, IsNeverMoreThanAnInputErrorWhateverBytesAreChangedOrCutOff) {
   std::mt19937_64 random(20);
   const Folder folder;

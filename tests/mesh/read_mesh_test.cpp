@@ -55,6 +55,10 @@ TEST(ReadMesh, ReadsABinaryStlWhoseHeaderBeginsWithSolid) {
   expect_same_surface(mesh_of_file("a.stl", binary_stl(float_box(), "solid of a text? no")), float_box());
 }
 
+TEST(ReadMesh, ReadsABinaryStlWhoseHeaderIsAWholeTextStl) {
+  expect_same_surface(mesh_of_file("a.stl", binary_stl(float_box(), "solid\nendsolid\n")), float_box());
+}
+
 TEST(ReadMesh, PassesOverAByteOrderMark) {
   expect_same_surface(mesh_of_file("a.obj", "\xef\xbb\xbf" + obj(odd_box())), odd_box());
 }
@@ -148,6 +152,13 @@ TEST(ReadOff, PassesOverCommentsColoursAndNormals) {
   const std::string rows = "3 1 0 # counts\n\n0 0 0 1 0 0 1\n# between\n1 0 0 9 9\n0 1 0\n3 0 1 2 255 0 0\n";
   for (const std::string keyword : {"OFF\n", "COFF\n# rem\n", "NOFF ", "# first\nOFF\n\n", "STCNOFF\n"})
     EXPECT_EQ(mesh_of_file("a.off", keyword + rows).facets, (Triangles{{0, 1, 2}})) << keyword;
+}
+
+TEST(ReadOff, TakesRowsWhoseEndIsContinuedOrACommentOrMissing) {
+  for (const std::string row : {"3 0 \\\n 1 2", "3 0 1 2 # end", "3 0\v1\f2 \\", "+3 0 1 2 red"})
+    EXPECT_EQ(mesh_of_file("a.off", "OFF\n3 1 0\n0 0 0\n1 \\\r\n0 0\n0 1 0 # last \\\n" + row).facets,
+              (Triangles{{0, 1, 2}}))
+        << row;
 }
 
 }  // namespace
