@@ -9,21 +9,18 @@
 #include <string>
 
 #include "base/digest.h"
+#include "tests/scratch_folder.h"
 
 namespace lrcs {
 namespace {
 
 class WholeFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] auto files() const {
     return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator());
   }
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "whole_file_test";
+  ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
   std::filesystem::path file_ = folder_ / "result.csv";
 };
 
