@@ -88,6 +88,7 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
   for (std::size_t k = 0; k < cells; ++k) begins_[k + 1] += begins_[k];
   edges_.resize(begins_[cells]);
   next_.assign(begins_.begin(), begins_.end() - 1);
+  all_.clear();
   for (std::uint32_t k = 0; k < edges.size(); ++k) {
     const OutlineEdge& e = edges[k];
     const auto [x0, x1] = std::minmax(e.at_low.x(), e.at_high.x());
@@ -95,6 +96,7 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
     const double near = std::max(e.at_low.z(), e.at_high.z());
     const Entry entry{below(x0 - rounding), above(x1 + rounding),   below(y0 - rounding),
                       above(y1 + rounding), above(near + rounding), k};
+    all_.push_back(entry);
     visit_cells(e, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
   }
   const auto across = static_cast<std::size_t>(columns_) + 1;
@@ -111,6 +113,15 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
 
 EdgeGrid::Cells EdgeGrid::cells(double x0, double x1, double y0, double y1) const {
   return {column_of(x0), column_of(x1), row_of(y0), row_of(y1)};
+}
+
+std::size_t EdgeGrid::entries(const Cells& c) const {
+  std::size_t count = 0;
+  for (int row = c.y0; row <= c.y1; ++row) {
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    count += begins_[first + static_cast<std::size_t>(c.x1) + 1] - begins_[first + static_cast<std::size_t>(c.x0)];
+  }
+  return count;
 }
 
 bool EdgeGrid::any(const Cells& c) const {

@@ -27,6 +27,10 @@ class EdgeGrid {
         static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     return std::span(edges_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
   }
+  // All edges, each once.
+  [[nodiscard]] const std::vector<Entry>& edges() const { return all_; }
+  // How many entries the cells have together.
+  [[nodiscard]] std::size_t entries(const Cells& cells) const;
   // Does any cell hold an edge?
   [[nodiscard]] bool any(const Cells& cells) const;
 
@@ -40,7 +44,7 @@ class EdgeGrid {
   double x0_ = 0.0, y0_ = 0.0, per_x_ = 0.0, per_y_ = 0.0;
   int columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> begins_, next_;
-  std::vector<Entry> edges_;
+  std::vector<Entry> edges_, all_;
   std::vector<std::uint32_t> filled_before_;  // summed over the cells left of and below
 };
 

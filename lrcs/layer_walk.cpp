@@ -32,7 +32,8 @@ void LayerWalk::find_cuts() {
   edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
-    if (states_[f].layers != not_wanted && cut(f)) keep_cut(f);
+    if (states_[f].layers == not_wanted || !cut(f)) return;
+    is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
   };
   for (std::uint32_t k = 0; k < nodes.size();) {
     const FacetTree::Node& node = nodes[k];
@@ -73,20 +74,26 @@ bool LayerWalk::cut(std::uint32_t facet) {
   if (!grid_.any(cells)) return begun && !cut_.empty();
   sight_.look_at(view_, ids);
   ++last_stamp_;
-  for (int row = cells.y0; row <= cells.y1; ++row)
-    for (int column = cells.x0; column <= cells.x1; ++column) {
-      for (const EdgeGrid::Entry& entry : grid_.edges_in(column, row)) {
-        // The edges' boxes are widened by the rounding of both.
-        const int apart = (entry.near < far ? 1 : 0) | (entry.x0 > x1 ? 1 : 0) | (entry.x1 < x0 ? 1 : 0) |
-                          (entry.y0 > y1 ? 1 : 0) | (entry.y1 < y0 ? 1 : 0);
-        if (apart != 0 || stamp_[entry.edge] == last_stamp_) continue;
-        stamp_[entry.edge] = last_stamp_;
-        const OutlineEdge& edge = view_.edges()[entry.edge];
-        if (sight_.certainly_passes_by(edge)) continue;
-        begin();
-        cut_.add_outline(edge);
-      }
+  const auto consider = [&](std::span<const EdgeGrid::Entry> entries) {
+    for (const EdgeGrid::Entry& entry : entries) {
+      // The edges' boxes are widened by the rounding of both.
+      const int apart = (entry.near < far ? 1 : 0) | (entry.x0 > x1 ? 1 : 0) | (entry.x1 < x0 ? 1 : 0) |
+                        (entry.y0 > y1 ? 1 : 0) | (entry.y1 < y0 ? 1 : 0);
+      if (apart != 0 || stamp_[entry.edge] == last_stamp_) continue;
+      stamp_[entry.edge] = last_stamp_;
+      const OutlineEdge& edge = view_.edges()[entry.edge];
+      if (sight_.certainly_passes_by(edge)) continue;
+      begin();
+      cut_.add_outline(edge);
     }
+  };
+  // An edge stands in each cell that it passes: under a large facet it is quicker to look at each edge once.
+  if (grid_.entries(cells) >= grid_.edges().size()) {
+    consider(grid_.edges());
+  } else {
+    for (int row = cells.y0; row <= cells.y1; ++row)
+      for (int column = cells.x0; column <= cells.x1; ++column) consider(grid_.edges_in(column, row));
+  }
   return begun && !cut_.empty();
 }
 
@@ -101,6 +108,20 @@ void LayerWalk::keep_cut(std::uint32_t facet) {
   edges_.insert(edges_.end(), cut_.edges().begin(), cut_.edges().end());
 }
 
+bool LayerWalk::is_hidden_by_many(std::uint32_t facet) {
+  constexpr std::size_t many = 256;
+  if (cut_.edges().size() < many) return false;
+  const auto base = base_of_cut(facet);
+  return base && count_.uncovered_area(cut_.edges(), cut_.error(), *base) == 0.0 && !count_.went_negative();
+}
+
+// One layer, no outlines, and no way over it; but the error is that of many.
+void LayerWalk::keep_hidden(std::uint32_t facet) {
+  states_[facet] = {1, static_cast<std::uint32_t>(cuts_.size())};
+  const double error = cut_.error() * static_cast<double>(cut_.edges().size());
+  cuts_.push_back({facet, static_cast<std::uint32_t>(edges_.size()), error, {}, {}});
+}
+
 LayerWalk::Outlines LayerWalk::outlines_over(std::uint32_t facet) const {
   const std::uint32_t k = states_[facet].cut;
   const std::size_t end = k + 1 < cuts_.size() ? cuts_[k + 1].first_edge : edges_.size();
@@ -109,7 +130,12 @@ LayerWalk::Outlines LayerWalk::outlines_over(std::uint32_t facet) const {
 }
 
 bool LayerWalk::start(std::uint32_t facet) {
-  if (states_[facet].cut != none) return start_in_cut(facet);
+  if (states_[facet].cut != none) {
+    cut(facet);
+    const auto base = base_of_cut(facet);
+    if (base) states_[facet].layers = *base;
+    return base.has_value();
+  }
   constexpr std::array<std::array<double, 2>, 4> places{{{0.31, 0.36}, {0.53, 0.23}, {0.17, 0.59}, {0.11, 0.13}}};
   const FacetFrame frame(surface_.occluders, facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
@@ -124,21 +150,18 @@ bool LayerWalk::start(std::uint32_t facet) {
   return false;
 }
 
-bool LayerWalk::start_in_cut(std::uint32_t facet) {
+std::optional<int> LayerWalk::base_of_cut(std::uint32_t facet) {
   constexpr std::array<double, 6> heights{0.29, 0.13, 0.53, 0.05, 0.71, 0.4};
-  cut(facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
   const auto counted = [this](std::uint32_t f) { return view_.counts(f); };
   for (const double height : heights) {
     double u = 0.0, v = 0.0;
     if (!cut_.clear_place(height, u, v)) continue;
     ++queries_;
-    if (const auto before = query.count(facet, cut_.frame().place(u, v), counted)) {
-      states_[facet].layers = before->layers - cut_.layers_at(u, v);
-      return true;
-    }
+    if (const auto before = query.count(facet, cut_.frame().place(u, v), counted))
+      return before->layers - cut_.layers_at(u, v);
   }
-  return false;
+  return std::nullopt;
 }
 
 bool LayerWalk::walk_from(std::uint32_t facet) {

@@ -70,9 +70,13 @@ class LayerWalk {
   // Fills cut_ with all that runs in front of the facet. False: nothing does.
   bool cut(std::uint32_t facet);
   void keep_cut(std::uint32_t facet);
+  // Many outlines over a facet are not kept where they leave nothing of it to be seen.
+  [[nodiscard]] bool is_hidden_by_many(std::uint32_t facet);
+  void keep_hidden(std::uint32_t facet);
   // Finds the count on one facet by counting layer by layer.
   bool start(std::uint32_t facet);
-  bool start_in_cut(std::uint32_t facet);
+  // Of the facet in cut_: layers at u = -infinity.
+  [[nodiscard]] std::optional<int> base_of_cut(std::uint32_t facet);
   // Steps from facet to facet as far as it goes. False: the count differs between two ways, or falls below zero.
   bool walk_from(std::uint32_t facet);
   // Layers before what lies across side k of a facet, less its base; nothing where an outline runs too near.
@@ -83,6 +87,7 @@ class LayerWalk {
   EdgeGrid grid_;
   FacetSight sight_;
   FacetCut cut_;
+  LayerCount count_;
   std::vector<std::uint32_t> stamp_;  // of outline edges: the last cut that looked at it
   std::uint32_t last_stamp_ = 0;
   std::vector<State> states_;
