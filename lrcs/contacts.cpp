@@ -15,8 +15,8 @@ struct Found {  // for one facet
   std::uint32_t facet;
   std::vector<Contacts::Passage> passages;
   std::vector<std::uint32_t> lying;  // edges
-  bool covered = false;
-  [[nodiscard]] bool any() const { return covered || !passages.empty() || !lying.empty(); }
+  std::vector<std::uint32_t> coplanar;
+  [[nodiscard]] bool any() const { return !coplanar.empty() || !passages.empty() || !lying.empty(); }
 };
 
 struct Corner {
@@ -57,7 +57,7 @@ class ContactSearch {
       front += c.at.height > 0.0 ? 1 : 0;
     }
     const bool passes = front > 0 && front + zeros < 3;
-    if (zeros == 3 && !lies_beside(corners)) found_.covered = true;
+    if (zeros == 3 && !lies_beside(corners)) found_.coplanar.push_back(other);
     if (zeros >= 2) add_lying_edges(other, corners);
     if (passes) add_passage(other, corners);
   }
@@ -80,7 +80,28 @@ class ContactSearch {
       const bool left = side_of_line(a.at, b.at, c.at.u, c.at.v) > 0.0;
       if (line_passes_by(a.at, a.shared, b.at, b.shared, slack_, left ? Beside::right : Beside::left)) return true;
     }
-    return false;
+    return are_parted_at_corner(corners);
+  }
+
+  // For a facet that shares one corner: does the line through it across their middles' difference part the two?
+  [[nodiscard]] bool are_parted_at_corner(const std::array<Corner, 3>& corners) const {
+    const auto is_shared = [](const Corner& c) { return c.shared >= 0; };
+    if (std::count_if(corners.begin(), corners.end(), is_shared) != 1) return false;
+    const Corner& corner = *std::find_if(corners.begin(), corners.end(), is_shared);
+    double u = -1.0 / 3.0, v = -1.0 / 3.0;
+    for (const Corner& c : corners) {
+      u += c.at.u / 3.0;
+      v += c.at.v / 3.0;
+    }
+    // The difference (u, v) points to the right of this line.
+    const FacetPoint on_line{corner.at.u - v, corner.at.v + u, 0.0, 0.0};
+    const double length = std::abs(u) + std::abs(v);
+    const auto is_beyond = [&](const Corner& c) {
+      const double reach = 1.0 + std::abs(c.at.u) + std::abs(c.at.v);
+      return c.shared >= 0 || side_of_line(corner.at, on_line, c.at.u, c.at.v) < -4.0 * slack_ * (1.0 + length) * reach;
+    };
+    return std::all_of(corners.begin(), corners.end(), is_beyond) &&
+           line_passes_by(corner.at, corner.shared, on_line, -1, slack_, Beside::left);
   }
 
   void add_lying_edges(std::uint32_t other, const std::array<Corner, 3>& corners) {
@@ -171,8 +192,9 @@ Contacts::Contacts(const Occluders& occluders, const FacetTree& tree, const Occl
     for (const Found& of_facet : of_leaf) {
       place_[of_facet.facet] = static_cast<std::uint32_t>(begins_.size());
       facets_.push_back(of_facet.facet);
-      begins_.push_back(
-          {static_cast<std::uint32_t>(passages_.size()), static_cast<std::uint32_t>(edges_.size()), of_facet.covered});
+      begins_.push_back({static_cast<std::uint32_t>(passages_.size()), static_cast<std::uint32_t>(edges_.size()),
+                         static_cast<std::uint32_t>(coplanar_.size())});
+      coplanar_.insert(coplanar_.end(), of_facet.coplanar.begin(), of_facet.coplanar.end());
       passages_.insert(passages_.end(), of_facet.passages.begin(), of_facet.passages.end());
       FacetFrame frame(occluders, of_facet.facet);
       frame.turn(occluders.cross[of_facet.facet].stableNormalized());
@@ -194,8 +216,10 @@ Contacts::Of Contacts::of(std::uint32_t facet) const {
   const Begin& begin = begins_[k];
   const std::size_t passages_end = k + 1 < begins_.size() ? begins_[k + 1].passages : passages_.size();
   const std::size_t edges_end = k + 1 < begins_.size() ? begins_[k + 1].edges : edges_.size();
+  const std::size_t coplanar_end = k + 1 < begins_.size() ? begins_[k + 1].coplanar : coplanar_.size();
   return {std::span(passages_).subspan(begin.passages, passages_end - begin.passages),
-          std::span(edges_).subspan(begin.edges, edges_end - begin.edges), begin.covered};
+          std::span(edges_).subspan(begin.edges, edges_end - begin.edges),
+          std::span(coplanar_).subspan(begin.coplanar, coplanar_end - begin.coplanar)};
 }
 
 }  // namespace lrcs

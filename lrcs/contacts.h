@@ -31,7 +31,7 @@ class Contacts {
   struct Of {  // one facet's
     std::span<const Passage> passages;
     std::span<const LyingEdge> edges;
-    bool covered;  // another facet lies in the plane, on this one or under it
+    std::span<const std::uint32_t> coplanar;  // facets that lie in the plane, on this one or under it
   };
 
   Contacts(const Occluders& occluders, const FacetTree& tree, const OccluderEdges& edges);
@@ -49,8 +49,7 @@ class Contacts {
  private:
   static constexpr std::uint32_t none = 0xffffffff;
   struct Begin {
-    std::uint32_t passages, edges;
-    bool covered;
+    std::uint32_t passages, edges, coplanar;
   };
 
   std::vector<std::uint32_t> place_;   // of each facet in begins_; none
@@ -58,6 +57,7 @@ class Contacts {
   std::vector<Begin> begins_;
   std::vector<Passage> passages_;
   std::vector<LyingEdge> edges_;
+  std::vector<std::uint32_t> coplanar_;
   std::vector<std::int8_t> sides_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lrcs {
 namespace {
@@ -82,6 +83,9 @@ void EdgeGrid::visit_cells(const OutlineEdge& edge, double rounding, const Visit
 
 void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
   lay_out(edges, rounding);
+  // Long edges pass many cells: no more of those than pays.
+  const std::size_t most = 64 * edges.size() + 65536;
+  while (columns_ + rows_ > 2 && entries_needed(edges, rounding) > most) coarsen();
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begins_.assign(cells + 1, 0);
   for (const OutlineEdge& e : edges) visit_cells(e, rounding, [&](std::size_t cell) { ++begins_[cell + 1]; });
@@ -108,6 +112,20 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
       in_row += begins_[cell + 1] > begins_[cell] ? 1 : 0;
       filled_before_[(row + 1) * across + column + 1] = filled_before_[row * across + column + 1] + in_row;
     }
+  }
+}
+
+std::size_t EdgeGrid::entries_needed(const std::vector<OutlineEdge>& edges, double rounding) const {
+  std::size_t count = 0;
+  for (const OutlineEdge& e : edges) visit_cells(e, rounding, [&](std::size_t) { ++count; });
+  return count;
+}
+
+void EdgeGrid::coarsen() {
+  for (auto [count, per] : {std::pair(&columns_, &per_x_), std::pair(&rows_, &per_y_)}) {
+    const int half = (*count + 1) / 2;
+    *per *= static_cast<double>(half) / *count;
+    *count = half;
   }
 }
 

@@ -38,6 +38,8 @@ class EdgeGrid {
   void lay_out(const std::vector<OutlineEdge>& edges, double rounding);
   template <class Visit>
   void visit_cells(const OutlineEdge& edge, double rounding, const Visit& visit) const;
+  [[nodiscard]] std::size_t entries_needed(const std::vector<OutlineEdge>& edges, double rounding) const;
+  void coarsen();
   [[nodiscard]] int column_of(double x) const;
   [[nodiscard]] int row_of(double y) const;
 

@@ -63,7 +63,7 @@ void FacetCut::add_contacts() {
   if (!surface_->contacts.any(facet_)) return;
   near_ = true;
   const auto of = surface_->contacts.of(facet_);
-  if (of.covered) clear_ = {false, false, false};
+  if (!of.coplanar.empty()) clear_ = {false, false, false};
   for (const auto& passage : of.passages) {
     const int counted = view_->counts(passage.facet);
     // The layer lies left of the line from where its winding goes below to where it comes up, in the view.

@@ -70,8 +70,6 @@ class FacetFrame {
 
   // +1: the front is seen, -1: the back.
   [[nodiscard]] double facing() const { return facing_; }
-  [[nodiscard]] Vec3 place(double u, double v) const { return origin_ + u * e1_ + v * e2_; }
-  [[nodiscard]] const Vec3& origin() const { return origin_; }
 
  private:
   const Occluders* occluders_ = nullptr;

@@ -68,7 +68,8 @@ void FacetTree::overlapping(const Box3& box, std::vector<std::uint32_t>& found) 
 Box3 FacetTree::seen_box(const Node& node, const ViewFrame& view) const {
   // Three products and their sum, of lengths up to the reach: below 16 roundings.
   const double rounding = 16.0 * 0x1p-53 * reach_;
-  const Vec3 middle = view.at(0.5 * (node.box.low + node.box.high));
+  const Vec3 offset = 0.5 * (node.box.low - view.centre) + 0.5 * (node.box.high - view.centre);
+  const Vec3 middle(view.across.dot(offset), view.up.dot(offset), view.toward.dot(offset));
   const Vec3 half = 0.5 * (node.box.high - node.box.low);
   const Vec3 extent(view.across.cwiseAbs().dot(half) + rounding, view.up.cwiseAbs().dot(half) + rounding,
                     view.toward.cwiseAbs().dot(half) + rounding);

@@ -17,6 +17,8 @@ double turn_of(double au, double av, double bu, double bv, double cu, double cv)
 
 void FacetView::look_along(const std::vector<Vec3>& directions) {
   viewers_.clear();
+  for (Seen& s : memo_) s.stamp = 0;
+  stamp_ = 0;
   for (const Vec3& d : directions) viewers_.emplace_back(d, occluders_.centre);
 }
 

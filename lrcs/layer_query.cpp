@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "lrcs/facet_frame.h"
 #include "lrcs/facet_view.h"
@@ -47,10 +48,15 @@ int side_of_plane(const Occluders& occluders, std::uint32_t plane, std::uint32_t
 LayerQuery::LayerQuery(const Occluders& occluders, const FacetTree& tree, const ViewFrame& view)
     : occluders_(occluders), tree_(tree), view_(view), inverse_(view.toward.cwiseInverse()) {}
 
-std::optional<LayerQuery::Before> LayerQuery::count(std::uint32_t facet, const Vec3& place,
+std::optional<LayerQuery::Before> LayerQuery::count(std::uint32_t facet, double u, double v,
                                                     const Facing& facing) const {
-  const Vec3 seen = view_.at(place);
-  const double rounding = 64.0 * unit_roundoff * tree_.reach();
+  const auto& ids = occluders_.facets[facet];
+  const auto& at = occluders_.positions;
+  // Relative to the centre: far from the origin, the place itself is rounded more than the view's coordinates are.
+  const Vec3 a = view_.at(at[ids[0]]), b = view_.at(at[ids[1]]), c = view_.at(at[ids[2]]);
+  const Vec3 seen = a + u * (b - a) + v * (c - a);
+  const Vec3 place = at[ids[0]] + u * (at[ids[1]] - at[ids[0]]) + v * (at[ids[2]] - at[ids[0]]);
+  const double rounding = unit_roundoff * (64.0 * tree_.reach() + 8.0 * at[ids[0]].cwiseAbs().maxCoeff());
   const auto& nodes = tree_.nodes();
   Before before;
   for (std::uint32_t k = 0; k < nodes.size();) {

@@ -19,8 +19,8 @@ class LayerQuery {
     int layers = 0;    // facets
     int windings = 0;  // those whose front is seen less those whose back is
   };
-  // `place`: inside the facet. Nothing where rounding could change the answer: try another place.
-  [[nodiscard]] std::optional<Before> count(std::uint32_t facet, const Vec3& place, const Facing& facing) const;
+  // (u, v): the place inside the facet (FacetFrame). Nothing where rounding could change the answer: try another place.
+  [[nodiscard]] std::optional<Before> count(std::uint32_t facet, double u, double v, const Facing& facing) const;
 
  private:
   enum class Answer { no, yes, unsure };

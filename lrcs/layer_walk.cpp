@@ -137,12 +137,11 @@ bool LayerWalk::start(std::uint32_t facet) {
     return base.has_value();
   }
   constexpr std::array<std::array<double, 2>, 4> places{{{0.31, 0.36}, {0.53, 0.23}, {0.17, 0.59}, {0.11, 0.13}}};
-  const FacetFrame frame(surface_.occluders, facet);
   const LayerQuery query(surface_.occluders, surface_.tree, view_.frame());
   const auto counted = [this](std::uint32_t f) { return view_.counts(f); };
   for (const auto& [u, v] : places) {
     ++queries_;
-    if (const auto before = query.count(facet, frame.place(u, v), counted)) {
+    if (const auto before = query.count(facet, u, v, counted)) {
       states_[facet].layers = before->layers;
       return true;
     }
@@ -158,8 +157,7 @@ std::optional<int> LayerWalk::base_of_cut(std::uint32_t facet) {
     double u = 0.0, v = 0.0;
     if (!cut_.clear_place(height, u, v)) continue;
     ++queries_;
-    if (const auto before = query.count(facet, cut_.frame().place(u, v), counted))
-      return before->layers - cut_.layers_at(u, v);
+    if (const auto before = query.count(facet, u, v, counted)) return before->layers - cut_.layers_at(u, v);
   }
   return std::nullopt;
 }

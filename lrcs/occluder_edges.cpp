@@ -56,11 +56,4 @@ OccluderEdges::OccluderEdges(const Occluders& occluders)
   edges_.shrink_to_fit();
 }
 
-std::optional<std::uint32_t> OccluderEdges::find(std::uint32_t low, std::uint32_t high) const {
-  const auto found = std::lower_bound(edges_.begin(), edges_.end(), std::pair(low, high),
-                                      [](const Edge& e, auto ends) { return std::pair(e.low, e.high) < ends; });
-  if (found == edges_.end() || found->low != low || found->high != high) return std::nullopt;
-  return static_cast<std::uint32_t>(found - edges_.begin());
-}
-
 }  // namespace lrcs

@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,8 +30,6 @@ class OccluderEdges {
   [[nodiscard]] std::span<const FacetAtEdge> facets_at(std::uint32_t edge) const {
     return std::span(uses_).subspan(begins_[edge], begins_[edge + 1] - begins_[edge]);
   }
-  // The edge between two vertices, low < high; nothing where there is none.
-  [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t low, std::uint32_t high) const;
   // Edges of three facets and more; `use` of these is no facet.
   [[nodiscard]] const std::vector<std::uint32_t>& crowded() const { return crowded_; }
   // The edge from a facet's corner k to corner k + 1.

@@ -29,10 +29,11 @@ std::vector<std::uint32_t> merge_equal(std::vector<Vec3>& positions) {
   return kept_of;
 }
 
-// Powers of two are exact.
-void scale_to_unit_size(std::vector<Vec3>& positions) {
+// Powers of two are exact. What no facet uses says nothing of the size.
+void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
   double size = 0.0;
-  for (const Vec3& p : positions) size = std::max(size, p.cwiseAbs().maxCoeff());
+  for (const auto& facet : mesh.facets)
+    for (const std::uint32_t v : facet) size = std::max(size, mesh.positions[v].cwiseAbs().maxCoeff());
   if (size == 0.0) return;
   const int exponent = std::ilogb(size);
   for (Vec3& p : positions)
@@ -57,7 +58,7 @@ Occluders::Occluders(const FacetMesh& mesh) : positions(mesh.positions) {
 
 void Occluders::take_facets(const FacetMesh& mesh) {
   const auto vertex = merge_equal(positions);
-  scale_to_unit_size(positions);
+  scale_to_unit_size(positions, mesh);
   for (std::uint32_t f = 0; f < mesh.size(); ++f) {
     const auto& c = mesh.facets[f];
     std::array<std::uint32_t, 3> ids{vertex[c[0]], vertex[c[1]], vertex[c[2]]};
@@ -66,10 +67,7 @@ void Occluders::take_facets(const FacetMesh& mesh) {
     std::rotate(ids.begin(), ids.begin() + (std::max_element(opposite.begin(), opposite.end()) - opposite.begin()),
                 ids.end());
     const Vec3 normal = facet_cross(positions[ids[0]], positions[ids[1]], positions[ids[2]]);
-    if (normal.isZero(0.0)) {
-      if (ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0]) collinear.push_back(ids);
-      continue;
-    }
+    if (normal.isZero(0.0)) continue;
     facets.push_back(ids);
     cross.push_back(normal);
     original.push_back(f);
@@ -91,15 +89,14 @@ void Occluders::order_vertices() {
   constexpr std::uint32_t unused = 0xffffffff;
   std::vector<std::uint32_t> place(positions.size(), unused);
   std::vector<Vec3> used;
-  for (auto* all : {&facets, &collinear})
-    for (auto& f : *all)
-      for (auto& v : f) {
-        if (place[v] == unused) {
-          place[v] = static_cast<std::uint32_t>(used.size());
-          used.push_back(positions[v]);
-        }
-        v = place[v];
+  for (auto& f : facets)
+    for (auto& v : f) {
+      if (place[v] == unused) {
+        place[v] = static_cast<std::uint32_t>(used.size());
+        used.push_back(positions[v]);
       }
+      v = place[v];
+    }
   positions = std::move(used);
   if (positions.empty()) return;
   Vec3 low = positions.front(), high = low;

@@ -18,8 +18,6 @@ struct Occluders {
   std::vector<std::array<std::uint32_t, 3>> facets;
   std::vector<Vec3> cross;              // facet_cross() of the corners: twice the area, along the front's normal
   std::vector<std::uint32_t> original;  // number of the facet in the mesh
-  std::vector<std::array<std::uint32_t, 3>>
-      collinear;  // facets of three different vertices on a line: none of the above
   Vec3 centre = Vec3::Zero();
 
   explicit Occluders(const FacetMesh& mesh);

@@ -1,6 +1,7 @@
 #include "lrcs/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "lrcs/facet_view.h"

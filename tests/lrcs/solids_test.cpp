@@ -9,7 +9,7 @@
 namespace lrcs {
 namespace {
 
-// By the mesh's facet numbers; facets of area zero are none of a solid.
+// By the mesh's facet numbers.
 std::vector<std::uint8_t> solid_of(const FacetMesh& mesh) {
   const Occluders occluders(mesh);
   const FacetTree tree(occluders);
@@ -60,13 +60,20 @@ TEST(SolidFacets, LeaveOutACavity) {
   EXPECT_EQ(std::count(solid.begin() + 12, solid.end(), 1), 0);
 }
 
-TEST(SolidFacets, OfBodiesThatShareAnEdgeOrLieFaceToFace) {
+TEST(SolidFacets, OfBodiesThatShareAnEdgeOrTouch) {
   FacetMesh edge_to_edge = box({0, 0, 0}, {1, 1, 1});
   append(edge_to_edge, box({1, 1, 0}, {2, 2, 1}));
   EXPECT_EQ(solid_count(edge_to_edge), 24U);
-  FacetMesh face_to_face = box({0, 0, 0}, {1, 1, 1});
-  append(face_to_face, box({1, 0, 0}, {2, 1, 1}));
-  EXPECT_EQ(solid_count(face_to_face), 24U);
+  FacetMesh touching = box({0, 0, 0}, {1, 1, 1});
+  append(touching, box({1, 0.25, 0.25}, {2, 0.75, 0.75}));
+  EXPECT_EQ(solid_count(touching), 24U);
+}
+
+// With common vertices, bodies face to face are one piece, which meets itself: left out, to be on the safe side.
+TEST(SolidFacets, LeaveOutBodiesFaceToFaceWithCommonVertices) {
+  FacetMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  append(mesh, box({1, 0, 0}, {2, 1, 1}));
+  EXPECT_EQ(solid_count(mesh), 0U);
 }
 
 TEST(SolidFacets, OfBodiesThatPassThroughEachOtherButNotThroughThemselves) {
@@ -80,19 +87,27 @@ TEST(SolidFacets, OfBodiesThatPassThroughEachOtherButNotThroughThemselves) {
   EXPECT_EQ(solid_count(pierced), 0U);
 }
 
-TEST(SolidFacets, AreClosedByFacetsOfAreaZero) {
-  // The top of a box is cut in four at a point on one of its edges; a facet of area zero joins the halves of that edge.
+// A prism over a figure of eight. Its strands cross along a line that is one edge of the one and two of the other, so
+// that no facet passes through another one's plane there; behind the crossing it winds backward.
+TEST(SolidFacets, AreNotThoseOfASurfaceThatCrossesItselfAlongEdges) {
   FacetMesh mesh;
-  const Vec3 a(0, 0, 1), b(2, 0, 1), c(2, 1, 1), d(0, 1, 1), middle(1, 0, 1);
-  add_box(mesh, {0, 0, 0}, {2, 1, 1});
-  // add_box's second plate, facets 2 and 3, is the top.
-  mesh.facets.erase(mesh.facets.begin() + 2, mesh.facets.begin() + 4);
-  add_triangle(mesh, a, middle, d);
-  add_triangle(mesh, middle, c, d);
-  add_triangle(mesh, middle, b, c);
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {2.0, 0.0}, {2.0, 1.0}, {1.0, 0.0}, {0.0, -1.0}})
+      add_vertex(mesh, {x, y, z});
+  const std::uint32_t middle = add_vertex(mesh, {1, 0, 0.5});
+  for (const auto& [a, b] : {std::pair(0U, 3U), {3U, 1U}, {1U, 2U}, {4U, 0U}}) {
+    add_facet(mesh, a, b, b + 5);
+    add_facet(mesh, a, b + 5, a + 5);
+  }
+  const std::vector<std::array<std::uint32_t, 3>> split{{2, 3, middle}, {2, middle, 8}, {2, 8, 7},
+                                                        {4, 9, 8},      {4, 8, middle}, {4, middle, 3}};
+  for (const auto& f : split) add_facet(mesh, f[0], f[1], f[2]);
+  for (const auto& f : {std::array{0U, 3U, 4U}, std::array{3U, 1U, 2U}}) {
+    add_facet(mesh, f[0], f[2], f[1]);
+    add_facet(mesh, f[0] + 5, f[1] + 5, f[2] + 5);
+  }
   EXPECT_EQ(solid_count(mesh), 0U);
-  add_triangle(mesh, a, b, middle);
-  EXPECT_EQ(solid_count(mesh), mesh.size() - 1);
+  EXPECT_EQ(solid_count(reversed(mesh)), 0U);
 }
 
 }  // namespace

@@ -171,6 +171,43 @@ TEST(WalkAgainstClipping, AtAnyScaleAndFarFromTheOrigin) {
     }
 }
 
+// Every facet has another one in its place: which is nearer hangs on the rank alone, wherever the target lies.
+TEST(WalkAgainstClipping, OnCoincidentShellsFarFromTheOrigin) {
+  for (const double offset : {0.0, 1e2, 1e4, 1e6, 1e8}) {
+    SCOPED_TRACE(testing::Message() << "offset " << offset);
+    Random random(3);
+    const FacetMesh shell = sphere(1.0, 8);
+    FacetMesh mirrored = shell;
+    for (auto& f : mirrored.facets) std::swap(f[1], f[2]);
+    for (const FacetMesh* other : {&shell, static_cast<const FacetMesh*>(&mirrored)}) {
+      FacetMesh mesh = shell;
+      append(mesh, *other);
+      for (Vec3& p : mesh.positions) p += Vec3(offset, -offset, offset);
+      expect_same(mesh, random_direction(random), random_direction(random));
+      const Vec3 d = random_direction(random);
+      expect_same(mesh, d, d);
+    }
+  }
+}
+
+TEST(WalkAgainstClipping, OnAFlatGridNeedsFewQueries) {
+  FacetMesh mesh;
+  constexpr std::uint32_t side = 30;
+  for (std::uint32_t k = 0; k <= side; ++k)
+    for (std::uint32_t i = 0; i <= side; ++i) add_vertex(mesh, {0.1 * i, 0.3 * k, 0.7});
+  for (std::uint32_t k = 0; k < side; ++k)
+    for (std::uint32_t i = 0; i < side; ++i) {
+      const std::uint32_t a = k * (side + 1) + i;
+      add_facet(mesh, a, a + 1, a + side + 2);
+      add_facet(mesh, a, a + side + 2, a + side + 1);
+    }
+  measure_facets(mesh);
+  VisibilityCost cost;
+  const Vec3 d = Vec3(0.3, 0.4, 1.0).normalized();
+  for (const Estimate& seen : Visibility(mesh).seen_fraction(d, d, &cost)) EXPECT_EQ(seen.value, 1.0);
+  EXPECT_LT(cost.queries, 10U);
+}
+
 TEST(WalkAgainstClipping, OnOneHugeFacetBesideTinyOnes) {
   expect_same_on(20, [](Random& random) {
     FacetMesh mesh = random_soup(random, 60);
