@@ -57,8 +57,8 @@ bool LayerWalk::cut(std::uint32_t facet) {
   const double* const x = view_.x();
   const double* const y = view_.y();
   const double* const z = view_.z();
-  const auto [x0, x1] = std::minmax({x[ids[0]], x[ids[1]], x[ids[2]]});
-  const auto [y0, y1] = std::minmax({y[ids[0]], y[ids[1]], y[ids[2]]});
+  const double x0 = std::min({x[ids[0]], x[ids[1]], x[ids[2]]}), x1 = std::max({x[ids[0]], x[ids[1]], x[ids[2]]});
+  const double y0 = std::min({y[ids[0]], y[ids[1]], y[ids[2]]}), y1 = std::max({y[ids[0]], y[ids[1]], y[ids[2]]});
   const double far = std::min({z[ids[0]], z[ids[1]], z[ids[2]]}) - view_.rounding();
   bool begun = false;
   const auto begin = [&] {
