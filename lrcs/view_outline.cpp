@@ -59,7 +59,7 @@ void ViewOutline::find_edges() {
   edges_.clear();
   // A facet whose winding rises along the edge lies left of it where its front is seen.
   const auto on_right = [this](std::uint32_t use) {
-    const int counted = counted_[use / 2];
+    const int counted = counts(use / 2);
     return use % 2 != 0 ? -counted : counted;
   };
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
