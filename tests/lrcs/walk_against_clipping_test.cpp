@@ -65,25 +65,23 @@ TEST(WalkAgainstClipping, OnSoups) {
   expect_same_on(60, [](Random& random) { return random_soup(random, whole(random, 5, 150)); });
 }
 
+FacetMesh boxes_on_a_grid(Random& random) {
+  FacetMesh mesh;
+  for (int k = whole(random, 2, 9); k > 0; --k) {
+    const Vec3 low(whole(random, 0, 5), whole(random, 0, 5), whole(random, 0, 5));
+    add_box(mesh, low, low + Vec3(whole(random, 1, 3), whole(random, 1, 3), whole(random, 1, 3)));
+  }
+  return mesh;
+}
+
 TEST(WalkAgainstClipping, OnBoxesThatTouchAndPassThroughEachOther) {
-  expect_same_on(120, [](Random& random) {
-    FacetMesh mesh;
-    for (int k = whole(random, 2, 9); k > 0; --k) {
-      const Vec3 low(whole(random, 0, 5), whole(random, 0, 5), whole(random, 0, 5));
-      add_box(mesh, low, low + Vec3(whole(random, 1, 3), whole(random, 1, 3), whole(random, 1, 3)));
-    }
-    return mesh;
-  });
+  expect_same_on(120, boxes_on_a_grid);
 }
 
 // Turned, plates that lay in one plane do so but for rounding.
 TEST(WalkAgainstClipping, OnTurnedBoxes) {
   expect_same_on(60, [](Random& random) {
-    FacetMesh mesh;
-    for (int k = whole(random, 2, 9); k > 0; --k) {
-      const Vec3 low(whole(random, 0, 5), whole(random, 0, 5), whole(random, 0, 5));
-      add_box(mesh, low, low + Vec3(whole(random, 1, 3), whole(random, 1, 3), whole(random, 1, 3)));
-    }
+    FacetMesh mesh = boxes_on_a_grid(random);
     const Eigen::AngleAxisd turn(real(random, 0, 6), random_direction(random));
     for (Vec3& p : mesh.positions) p = turn * p;
     return mesh;
