@@ -12,13 +12,15 @@ void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
   last_stamp_ = 0;
   states_.resize(wanted.size());
   for (std::size_t f = 0; f < wanted.size(); ++f) states_[f] = {wanted[f] != 0 ? unknown : not_wanted, none};
-  queries_ = 0;
+  hidden_ = queries_ = 0;
+  cover_.find(surface_, view_);
   find_cuts();
   // Facets that no outline cuts are the better places to start.
   const auto facets = static_cast<std::uint32_t>(states_.size());
   for (const bool of_cut : {false, true})
     for (std::uint32_t f = 0; f < facets; ++f) {
       if (states_[f].layers != unknown || (states_[f].cut != none) != of_cut) continue;
+      if (!of_cut && is_covered(f)) continue;
       if (!start(f))
         states_[f].layers = failed;
       else if (!walk_from(f))
@@ -32,24 +34,28 @@ void LayerWalk::find_cuts() {
   edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
-    if (states_[f].layers == not_wanted || !cut(f)) return;
-    is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
+    if (states_[f].layers == not_wanted) return;
+    if (!is_covered(f) && cut(f)) is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
   };
   for (std::uint32_t k = 0; k < nodes.size();) {
     const FacetTree::Node& node = nodes[k];
     const Box3 box = surface_.tree.seen_box(node, view_.frame());
     const bool quiet = !grid_.any(grid_.cells(box.low.x(), box.high.x(), box.low.y(), box.high.y()));
-    if (node.leaf || quiet) {
-      for (std::uint32_t f = node.first; f < node.last && !quiet; ++f) cut_if_wanted(f);
-      if (quiet) {
-        const auto touched = surface_.contacts.among(node.first, node.last);
-        for (const std::uint32_t f : touched) cut_if_wanted(f);
-      }
-      k = node.skip;
-    } else {
-      ++k;
+    if (quiet) {
+      const auto touched = surface_.contacts.among(node.first, node.last);
+      for (const std::uint32_t f : touched) cut_if_wanted(f);
+    } else if (node.leaf) {
+      for (std::uint32_t f = node.first; f < node.last; ++f) cut_if_wanted(f);
     }
+    k = quiet ? node.skip : k + 1;
   }
+}
+
+bool LayerWalk::is_covered(std::uint32_t facet) {
+  if (!cover_.hides(view_, surface_.occluders.facets[facet])) return false;
+  states_[facet].layers = hidden;
+  ++hidden_;
+  return true;
 }
 
 bool LayerWalk::cut(std::uint32_t facet) {
@@ -176,7 +182,9 @@ bool LayerWalk::walk_from(std::uint32_t facet) {
       const std::uint32_t other = across[side] / 2;
       State& there = states_[other];
       // Only to the facet that goes on beyond the side: at a fold, both lie on one side of it.
-      if (there.layers == not_wanted || view_.counts(other) != (across[side] % 2 == 0 ? facing : -facing)) continue;
+      if (there.layers == not_wanted || there.layers == hidden ||
+          view_.counts(other) != (across[side] % 2 == 0 ? facing : -facing))
+        continue;
       int layers = here.layers;
       if (here.cut != none || there.cut != none) {
         const auto more = layers_across(f, side, other);

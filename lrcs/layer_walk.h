@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lrcs/cover_grid.h"
 #include "lrcs/edge_grid.h"
 #include "lrcs/facet_cut.h"
 #include "lrcs/facet_sight.h"
@@ -45,8 +46,9 @@ class LayerWalk {
   };
   [[nodiscard]] Outlines outlines_over(std::uint32_t facet) const;
 
-  // Facets cut and true counts taken, for the last direction.
+  // Facets cut, facets told to be hidden by a coarse look, and true counts taken, for the last direction.
   [[nodiscard]] std::size_t cut_facets() const { return cuts_.size(); }
+  [[nodiscard]] std::size_t hidden_facets() const { return hidden_; }
   [[nodiscard]] std::size_t queries() const { return queries_; }
 
  private:
@@ -54,9 +56,10 @@ class LayerWalk {
   static constexpr int unknown = -0x40000000;
   static constexpr int not_wanted = unknown + 1;
   static constexpr int failed = unknown + 2;
-  struct State {        // of a facet
-    int layers;         // before it; the base for one that is cut
-    std::uint32_t cut;  // its place in cuts_; none
+  static constexpr int hidden = 0x40000000;  // some layers, wherever one looks: nobody walks there
+  struct State {                             // of a facet
+    int layers;                              // before it; the base for one that is cut
+    std::uint32_t cut;                       // its place in cuts_; none
   };
   struct Cut {
     std::uint32_t facet;
@@ -67,6 +70,8 @@ class LayerWalk {
   };
 
   void find_cuts();
+  // Marks a facet as hidden, if the coarse look tells.
+  bool is_covered(std::uint32_t facet);
   // Fills cut_ with all that runs in front of the facet. False: nothing does.
   bool cut(std::uint32_t facet);
   void keep_cut(std::uint32_t facet);
@@ -84,6 +89,7 @@ class LayerWalk {
 
   const Surface& surface_;
   ViewOutline view_;
+  CoverGrid cover_;
   EdgeGrid grid_;
   FacetSight sight_;
   FacetCut cut_;
@@ -94,7 +100,7 @@ class LayerWalk {
   std::vector<Cut> cuts_;
   std::vector<LayerEdge> edges_;
   std::vector<std::uint32_t> patch_;  // facets of the walk at hand
-  std::size_t queries_ = 0;
+  std::size_t hidden_ = 0, queries_ = 0;
 };
 
 }  // namespace lrcs

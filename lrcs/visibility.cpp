@@ -107,6 +107,7 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
   VisibilityCost spent;
   for (std::size_t k = 0; k < scratch->viewers.size(); ++k) {
     spent.cut += scratch->walks[k].cut_facets();
+    spent.hidden += scratch->walks[k].hidden_facets();
     spent.queries += scratch->walks[k].queries();
   }
   std::vector<Estimate> fraction(facets_);

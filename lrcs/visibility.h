@@ -16,6 +16,7 @@ struct Surface;
 // What it took to find the seen fractions for one pair of directions.
 struct VisibilityCost {
   std::size_t cut = 0;      // facets over which an outline runs
+  std::size_t hidden = 0;   // facets that a coarse look tells to be hidden
   std::size_t queries = 0;  // places where layers were counted one by one
   std::size_t clipped = 0;  // facets settled by clipping alone
 };
