@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 status=0
 allow() { # folder, folders it may include
-  wrong=$(grep -nE '^#include "(base|brdf|mesh|lrcs|view|cli)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
+  wrong=$(grep -nE '^#include "(base|brdf|mesh|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
   [ -z "$wrong" ] || { echo "$wrong"; status=1; }
 }
 allow base 'base'
@@ -13,4 +13,5 @@ allow mesh 'base|mesh'
 allow lrcs 'base|brdf|mesh|lrcs'
 allow view 'base|mesh|view'
 allow cli 'base|brdf|mesh|lrcs|view|cli'
+allow bench 'base|brdf|mesh|lrcs|bench'
 exit $status
