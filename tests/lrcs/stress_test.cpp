@@ -1,0 +1,190 @@
+// Targets that are hard on numbers, with answers known in closed form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "lrcs/visibility.h"
+#include "tests/lrcs/test_targets.h"
+
+namespace lrcs {
+namespace {
+
+std::vector<Estimate> seen_along(const FacetMesh& mesh, const Vec3& d) {
+  return Visibility(mesh).seen_fraction(d, d);
+}
+
+void expect_seen(const Estimate& seen, double fraction) {
+  EXPECT_NEAR(seen.value, fraction, seen.bound + 1e-15);
+  EXPECT_LT(seen.bound, 1e-8);
+}
+
+// Of plate k of two facets.
+double seen_of_plate(const std::vector<Estimate>& seen, std::size_t k) {
+  return 0.5 * (seen[2 * k].value + seen[2 * k + 1].value);
+}
+double bound_of_plate(const std::vector<Estimate>& seen, std::size_t k) {
+  return 0.5 * (seen[2 * k].bound + seen[2 * k + 1].bound);
+}
+
+TEST(Stress, AStackOfAThousandLayersShowsAStripOfEach) {
+  FacetMesh mesh;
+  constexpr std::size_t layers = 1000;
+  constexpr double apart = 1.0 / 64.0;
+  for (std::size_t k = 0; k < layers; ++k)
+    add_plate(mesh, {0, 0, apart * static_cast<double>(k)}, Vec3::UnitX(), Vec3::UnitY());
+  // Each plate moves by apart tan(theta) over the one below it, and leaves so much of it to be seen.
+  for (const double slope : {0.0, 0.125, 4.0}) {
+    const auto seen = seen_along(mesh, Vec3(slope, 0, 1).normalized());
+    EXPECT_EQ(seen_of_plate(seen, layers - 1), 1.0);
+    for (std::size_t k = 0; k + 1 < layers; ++k)
+      ASSERT_NEAR(seen_of_plate(seen, k), apart * slope, bound_of_plate(seen, k) + 1e-15) << "layer " << k;
+  }
+}
+
+TEST(Stress, OfThousandsOfCoincidentFacetsOnePairIsSeen) {
+  FacetMesh mesh;
+  constexpr std::size_t plates = 1500;
+  const Vec3 u = Vec3(1, 2, 3).normalized(), v = u.cross(Vec3(3, 1, -1)).normalized();
+  for (std::size_t k = 0; k < plates; ++k) add_plate(mesh, {0.1, 0.2, 0.3}, u, v);
+  const auto seen = seen_along(mesh, u.cross(v).normalized());
+  EXPECT_EQ(seen_of_plate(seen, 0), 1.0);
+  for (std::size_t k = 1; k < plates; ++k) ASSERT_EQ(seen_of_plate(seen, k), 0.0);
+}
+
+TEST(Stress, AtGrazingAnglesTheUpperPlateStillHidesItsShare) {
+  const double tangent = std::tan(89.9999 * std::numbers::pi / 180.0);
+  for (const double share : {0.25, 0.5, 0.999}) {
+    FacetMesh mesh;
+    add_plate(mesh, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY());
+    add_plate(mesh, {0, 0, share / tangent}, Vec3::UnitX(), Vec3::UnitY());
+    const auto seen = seen_along(mesh, Vec3(tangent, 0, 1).normalized());
+    // The direction's own rounding moves the shadow by 1e-16 of its length times tangent.
+    EXPECT_NEAR(seen_of_plate(seen, 0), share, bound_of_plate(seen, 0) + 4.0 * tangent * 0x1p-53);
+    EXPECT_LT(bound_of_plate(seen, 0), 1e-6);
+    EXPECT_EQ(seen_of_plate(seen, 1), 1.0);
+  }
+}
+
+// Silhouettes of each step fall on edges of those behind it, whichever axis one looks along.
+TEST(Stress, StairsSeenAlongAxesShowTheirTreadsAndRisers) {
+  FacetMesh mesh;
+  constexpr int steps = 40;
+  for (int k = 0; k < steps; ++k) add_box(mesh, {double(k), 0, 0}, {double(k + 1), 1, double(steps - k)});
+  measure_facets(mesh);
+  const auto seen_area = [&](const Vec3& d) {
+    const auto seen = seen_along(mesh, d);
+    double area = 0.0;
+    for (std::size_t f = 0; f < mesh.size(); ++f)
+      area += mesh.areas[f] * seen[f].value * std::abs(mesh.normals[f].dot(d));
+    return area;
+  };
+  EXPECT_NEAR(seen_area(Vec3::UnitX()), steps, 1e-12);
+  EXPECT_NEAR(seen_area(-Vec3::UnitX()), steps, 1e-12);
+  EXPECT_NEAR(seen_area(Vec3::UnitZ()), steps, 1e-12);
+  EXPECT_NEAR(seen_area(Vec3::UnitY()), steps * (steps + 1) / 2.0, 1e-9);
+  // Along the stairs' slope the edges of all steps fall on one another.
+  EXPECT_NEAR(seen_area(Vec3(1, 0, 1).normalized()), std::sqrt(0.5) * 2.0 * steps, 1e-11);
+}
+
+TEST(Stress, AThousandTilesOfAMillimetreBeforeAPlateOfAKilometre) {
+  FacetMesh mesh;
+  std::mt19937_64 random(8);
+  add_plate(mesh, {-500, -500, 0}, {1000, 0, 0}, {0, 1000, 0});
+  constexpr int tiles = 1000;
+  for (int k = 0; k < tiles; ++k)
+    add_plate(mesh, {0.002 * (k % 40) - 0.3, 0.002 * (k / 40) + 100.0, 0.5}, {0.001, 0, 0}, {0, 0.001, 0});
+  const auto seen = seen_along(mesh, Vec3::UnitZ());
+  EXPECT_NEAR(1.0 - seen_of_plate(seen, 0), tiles * 1e-6 / 1e6, bound_of_plate(seen, 0) + 1e-15);
+  EXPECT_LT(bound_of_plate(seen, 0), 1e-8);
+  for (std::size_t k = 1; k <= tiles; ++k) ASSERT_EQ(seen_of_plate(seen, k), 1.0);
+}
+
+TEST(Stress, AFanOfAThousandFacetsAboutOneVertexHidesWhatALidWould) {
+  FacetMesh mesh;
+  constexpr std::uint32_t rays = 1000;
+  const auto tip = add_vertex(mesh, {0, 0, 1});
+  for (std::uint32_t k = 0; k < rays; ++k) {
+    const double a = 2.0 * std::numbers::pi * k / rays;
+    add_vertex(mesh, {std::cos(a), std::sin(a), 1.0 + 1e-3 * std::sin(5.0 * a)});
+  }
+  for (std::uint32_t k = 0; k < rays; ++k) add_facet(mesh, tip, tip + 1 + k, tip + 1 + (k + 1) % rays);
+  const std::size_t first = mesh.size();
+  add_plate(mesh, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0});
+  const auto seen = seen_along(mesh, Vec3::UnitZ());
+  for (std::size_t f = 0; f < first; ++f) ASSERT_EQ(seen[f].value, 1.0);
+  const double lid = 0.5 * rays * std::sin(2.0 * std::numbers::pi / rays);
+  EXPECT_NEAR(16.0 * seen_of_plate(seen, first / 2), 16.0 - lid, 16.0 * bound_of_plate(seen, first / 2) + 1e-13);
+}
+
+TEST(Stress, NeedlesOfAspectTenToTheTenthCastTheirShadow) {
+  FacetMesh mesh;
+  add_plate(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  for (int k = 0; k < 50; ++k)
+    add_triangle(mesh, {-0.5, 0.01 * k + 0.1, 1}, {1.5, 0.01 * k + 0.1, 1}, {0.5, 0.01 * k + 0.1 + 2e-10, 1});
+  const auto seen = seen_along(mesh, Vec3::UnitZ());
+  // Each is 2 long and 2e-10 high; its share over the plate: three quarters of its area.
+  EXPECT_NEAR(1.0 - seen_of_plate(seen, 0), 50 * 0.75 * 2e-10, bound_of_plate(seen, 0) + 1e-15);
+  EXPECT_LT(bound_of_plate(seen, 0), 1e-11);
+}
+
+TEST(Stress, DenormalAndHugeCoordinatesGiveTheSameBits) {
+  std::mt19937_64 random(4);
+  std::uniform_int_distribution<int> whole(0, 63);
+  FacetMesh mesh;
+  const auto p = [&] { return Vec3(whole(random), whole(random), whole(random)); };
+  for (int k = 0; k < 60; ++k) add_triangle(mesh, p(), p(), p());
+  const Vec3 d = random_direction(random);
+  const auto seen = seen_along(mesh, d);
+  for (const int exponent : {-1074, -1030, -600, 300}) {
+    SCOPED_TRACE(testing::Message() << "times 2^" << exponent);
+    FacetMesh scaled = mesh;
+    for (Vec3& q : scaled.positions)
+      for (double& x : q) x = std::ldexp(x, exponent);
+    const auto same = seen_along(scaled, d);
+    for (std::size_t f = 0; f < mesh.size(); ++f) ASSERT_EQ(same[f].value, seen[f].value) << "facet " << f;
+  }
+}
+
+TEST(Stress, FacetsOfNoAreaHideNothingAndAreNotSeen) {
+  FacetMesh mesh;
+  add_plate(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> real(0.0, 1.0);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p(real(random), real(random), 1), q(real(random), real(random), 1);
+    add_triangle(mesh, p, q, k % 2 == 0 ? p : Vec3(p + (q - p)));
+  }
+  const auto seen = seen_along(mesh, Vec3(0.2, 0.1, 1.0).normalized());
+  expect_seen(seen[0], 1.0);
+  expect_seen(seen[1], 1.0);
+}
+
+// Two cubes that share a face, as parts of assemblies do, are one block to look at.
+TEST(Stress, PartsThatShareAFaceLookLikeOne) {
+  std::mt19937_64 random(6);
+  for (int k = 0; k < 20; ++k) {
+    const Eigen::AngleAxisd turn(0.3 * k, random_direction(random));
+    FacetMesh two, one;
+    add_box(two, {0, 0, 0}, {1, 1, 1});
+    add_box(two, {1, 0, 0}, {2, 1, 1});
+    add_box(one, {0, 0, 0}, {2, 1, 1});
+    for (FacetMesh* mesh : {&two, &one}) {
+      for (Vec3& p : mesh->positions) p = turn * p;
+      measure_facets(*mesh);
+    }
+    const Vec3 d = random_direction(random);
+    const auto area = [&](const FacetMesh& mesh) {
+      const auto seen = seen_along(mesh, d);
+      double sum = 0.0;
+      for (std::size_t f = 0; f < mesh.size(); ++f)
+        sum += mesh.areas[f] * seen[f].value * std::abs(mesh.normals[f].dot(d));
+      return sum;
+    };
+    EXPECT_NEAR(area(two), area(one), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace lrcs
