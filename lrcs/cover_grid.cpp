@@ -5,65 +5,32 @@
 
 namespace lrcs {
 
-// A facet in the view.
-struct CoverGrid::SeenFacet {
-  SeenFacet(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = view.x()[ids[k]];
-      y[k] = view.y()[ids[k]];
-      z[k] = view.z()[ids[k]];
-    }
-    far = std::min({z[0], z[1], z[2]}) - view.rounding();
-    near = std::max({z[0], z[1], z[2]}) + view.rounding();
-  }
-
-  // Twice its area across the view, and whether that is hardly known: thin, or seen nearly edge-on.
-  [[nodiscard]] double area() const { return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]); }
-  [[nodiscard]] double sides() const {
-    return std::abs(x[1] - x[0]) + std::abs(y[1] - y[0]) + std::abs(x[2] - x[0]) + std::abs(y[2] - y[0]);
-  }
-  [[nodiscard]] bool is_thin() const {
-    // Else rounding in the slopes moves the plane by less than 2^-28 of the facet's depth.
-    constexpr double too_thin = 0x1p-20;
-    return !(std::abs(area()) > too_thin * sides() * sides());
-  }
-
-  std::array<double, 3> x, y, z;
-  double near, far;  // rounding included
-};
-
 namespace {
 
 constexpr int narrow = 2;  // as few columns as this are not worth a closer look
 
-float below(double x) {
-  const auto rounded = static_cast<float>(x);
-  return rounded <= x ? rounded : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
+// Is its plane hardly known, for it is thin or seen nearly edge-on? Else rounding moves the plane, over the facet, by
+// less than 2^-28 of its depth: that of the area and that of the slopes' products by less than 4 u 2^20 = 2^-31 each.
+bool is_thin(const SeenFacet& facet) {
+  constexpr double too_thin = 0x1p-20;
+  return !(std::abs(facet.area()) > too_thin * facet.sides() * facet.sides());
 }
-
-using SeenFacet = CoverGrid::SeenFacet;
 
 // What a facet is in cells that are smaller than it: squares of side 2 half about places (x, y).
 class FacetInCells {
  public:
-  FacetInCells(const SeenFacet& facet, double half, double rounding) : facet_(facet) {
-    const auto& [x, y, z, near, far] = facet;
-    const double ax = x[1] - x[0], ay = y[1] - y[0], bx = x[2] - x[0], by = y[2] - y[0];
-    const double area = facet.area(), sides = facet.sides();
-    has_plane_ = !facet.is_thin();
+  FacetInCells(const SeenFacet& facet, double half, double rounding) : facet_(facet), has_plane_(!is_thin(facet)) {
     if (!has_plane_) return;
-    const double az = z[1] - z[0], bz = z[2] - z[0];
-    z_x_ = (az * by - bz * ay) / area;
-    z_y_ = (bz * ax - az * bx) / area;
-    u_x_ = by / area;
-    u_y_ = -bx / area;
-    v_x_ = -ay / area;
-    v_y_ = ax / area;
+    own_ = facet.own_coordinates();
+    const double az = facet.z[1] - facet.z[0], bz = facet.z[2] - facet.z[0];
+    z_x_ = az * own_.u_x + bz * own_.v_x;
+    z_y_ = az * own_.u_y + bz * own_.v_y;
     const double slopes = std::abs(z_x_) + std::abs(z_y_);
-    spread_ = slopes * (half + rounding) + 0x1p-28 * (near - far) + 4.0 * rounding * (1.0 + slopes);
-    margin_ = 0x1p-20 + 8.0 * rounding * sides / std::abs(area);
-    const double turn = std::max({std::abs(u_x_) + std::abs(u_y_), std::abs(v_x_) + std::abs(v_y_),
-                                  std::abs(u_x_ + v_x_) + std::abs(u_y_ + v_y_)});
+    spread_ = slopes * (half + rounding) + 0x1p-28 * (facet.near - facet.far) + 4.0 * rounding * (1.0 + slopes);
+    // As FacetSight; and of a plane that is known so well, u and v are known to 2^-30.
+    margin_ = 0x1p-20 + 8.0 * rounding * facet.sides() / std::abs(facet.area());
+    const double turn = std::max({std::abs(own_.u_x) + std::abs(own_.u_y), std::abs(own_.v_x) + std::abs(own_.v_y),
+                                  std::abs(own_.u_x + own_.v_x) + std::abs(own_.u_y + own_.v_y)});
     whole_margin_ = 2.0 * margin_ + turn * (half + rounding);
   }
 
@@ -79,7 +46,7 @@ class FacetInCells {
   };
   [[nodiscard]] Holds holds(double x, double y) const {
     const double dx = x - facet_.x[0], dy = y - facet_.y[0];
-    const double u = u_x_ * dx + u_y_ * dy, v = v_x_ * dx + v_y_ * dy;
+    const double u = own_.u_x * dx + own_.u_y * dy, v = own_.v_x * dx + own_.v_y * dy;
     const double least = std::min({u, v, 1.0 - u - v});
     return {has_plane_ && least > 2.0 * margin_, has_plane_ && least > whole_margin_};
   }
@@ -91,26 +58,20 @@ class FacetInCells {
 
   const SeenFacet& facet_;
   bool has_plane_ = false;
-  double z_x_ = 0.0, z_y_ = 0.0;                          // change of z along the plane
-  double u_x_ = 0.0, u_y_ = 0.0, v_x_ = 0.0, v_y_ = 0.0;  // change of the facet's own coordinates
-  double spread_ = 0.0;                                   // of z within a cell
-  double margin_ = 0.0, whole_margin_ = 0.0;              // of the facet's own coordinates
+  double z_x_ = 0.0, z_y_ = 0.0;  // change of z along the plane
+  SeenFacet::OwnCoordinates own_{};
+  double spread_ = 0.0;                       // of z within a cell
+  double margin_ = 0.0, whole_margin_ = 0.0;  // of the facet's own coordinates
 };
 
 }  // namespace
 
-int CoverGrid::column_of(double x) const {
-  return std::clamp(static_cast<int>((x - x0_) * per_), 0, columns_ - 1);
-}
-int CoverGrid::row_of(double y) const {
-  return std::clamp(static_cast<int>((y - y0_) * per_), 0, rows_ - 1);
-}
-
 void CoverGrid::find(const Surface& surface, const ViewOutline& view) {
-  lay_out(view, surface);
+  cells_.clear();
   // Where outlines are few, few facets are cut by any, and this would take longer than it saves.
   constexpr std::size_t few = 32;
   if (few * view.edges().size() < surface.occluders.size()) return;
+  lay_out(view, surface);
   list_items(surface, view);
   order_items(view.z(), surface.x.size());
   double front = -std::numeric_limits<double>::infinity();
@@ -136,16 +97,13 @@ void CoverGrid::lay_out(const ViewOutline& view, const Surface& surface) {
   const auto [x0, x1] = std::minmax_element(view.x(), view.x() + vertices);
   const auto [y0, y1] = std::minmax_element(view.y(), view.y() + vertices);
   rounding_ = view.rounding();
-  x0_ = *x0;
-  y0_ = *y0;
   const double width = *x1 - *x0, height = *y1 - *y0;
   // Finer ones find more, but take longer than that saves.
   const double across = std::clamp(std::sqrt(static_cast<double>(surface.occluders.size())), 16.0, 64.0);
   size_ = std::max(width, height) / across;
-  per_ = size_ > 0.0 ? 1.0 / size_ : 0.0;
-  columns_ = static_cast<int>(width * per_) + 1;
-  rows_ = static_cast<int>(height * per_) + 1;
-  cells_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), {});
+  const double per = size_ > 0.0 ? 1.0 / size_ : 0.0;
+  grid_ = {*x0, *y0, per, per, static_cast<int>(width * per) + 1, static_cast<int>(height * per) + 1};
+  cells_.assign(grid_.size(), {});
 }
 
 // The outline edges, and the counted facets: many at once where they lie close together.
@@ -203,19 +161,19 @@ bool CoverGrid::is_open(Cell& cell, double front) {
 void CoverGrid::take_facet(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids, double front) {
   const SeenFacet facet(view, ids);
   const auto small = [&](int column, int row) {
-    Cell& c = cells_[cell(column, row)];
+    Cell& c = cells_[grid_.cell(column, row)];
     if (!is_open(c, front)) return true;
-    c.farthest = std::min(c.farthest, below(facet.far));
+    c.farthest = std::min(c.farthest, float_below(facet.far));
     c.present = c.present || has_middle(facet, column, row);
     return true;
   };
   if (is_small(facet)) return visit_cells(facet, small);
   const FacetInCells in_cells(facet, 0.5 * size_, rounding_);
   const auto large = [&](int column, int row) {
-    Cell& c = cells_[cell(column, row)];
+    Cell& c = cells_[grid_.cell(column, row)];
     if (!is_open(c, front)) return true;
-    const double x = x0_ + (column + 0.5) * size_, y = y0_ + (row + 0.5) * size_;
-    const float far = below(in_cells.farthest(x, y));
+    const auto [x, y] = middle_of(column, row);
+    const float far = float_below(in_cells.farthest(x, y));
     const auto [middle, all] = in_cells.holds(x, y);
     c.farthest = std::min(c.farthest, far);
     c.present = c.present || middle;
@@ -228,13 +186,13 @@ void CoverGrid::take_facet(const ViewOutline& view, const std::array<std::uint32
 // Facets that lie within a cell's size, all together.
 void CoverGrid::take_node(const Surface& surface, const ViewOutline& view, const FacetTree::Node& node, double front) {
   const Box3 box = surface.tree.seen_box(node, view.frame());
-  const float far = below(box.low.z());
+  const float far = float_below(box.low.z());
   std::uint32_t counted = node.first;
   while (view.counts(counted) == 0) ++counted;
   const SeenFacet facet(view, surface.occluders.facets[counted]);
-  for (int row = row_of(box.low.y()); row <= row_of(box.high.y()); ++row)
-    for (int column = column_of(box.low.x()); column <= column_of(box.high.x()); ++column) {
-      Cell& c = cells_[cell(column, row)];
+  for (int row = grid_.row_of(box.low.y()); row <= grid_.row_of(box.high.y()); ++row)
+    for (int column = grid_.column_of(box.low.x()); column <= grid_.column_of(box.high.x()); ++column) {
+      Cell& c = cells_[grid_.cell(column, row)];
       if (!is_open(c, front)) continue;
       c.farthest = std::min(c.farthest, far);
       c.present = c.present || has_middle(facet, column, row);
@@ -243,57 +201,40 @@ void CoverGrid::take_node(const Surface& surface, const ViewOutline& view, const
 
 // Is the middle of a facet certainly in a cell?
 bool CoverGrid::has_middle(const SeenFacet& facet, int column, int row) const {
-  const double x = x0_ + (column + 0.5) * size_, y = y0_ + (row + 0.5) * size_;
-  const double inside = 0.495 * size_ - rounding_;
+  const auto [x, y] = middle_of(column, row);
+  // Nearer to the middle than the cells' own rounding could matter.
+  constexpr double well_inside = 0.495;
+  const double inside = well_inside * size_ - rounding_;
   return std::abs((facet.x[0] + facet.x[1] + facet.x[2]) / 3.0 - x) < inside &&
          std::abs((facet.y[0] + facet.y[1] + facet.y[2]) / 3.0 - y) < inside;
 }
 
 void CoverGrid::take_edge(const OutlineEdge& e, double front) {
-  const bool rises = e.at_low.y() <= e.at_high.y();
-  const Vec3 &a = rises ? e.at_low : e.at_high, &b = rises ? e.at_high : e.at_low;
-  const double x0 = std::min(a.x(), b.x()) - rounding_, x1 = std::max(a.x(), b.x()) + rounding_;
-  const int row0 = row_of(a.y() - rounding_), row1 = row_of(b.y() + rounding_);
-  const double slope = row1 > row0 ? (b.x() - a.x()) / (b.y() - a.y()) : 0.0;
-  const float far = below(std::min(a.z(), b.z()) - rounding_);
-  for (int row = row0; row <= row1; ++row) {
-    double from = x0, to = x1;
-    if (row1 > row0) {
-      const double low = y0_ + row * size_ - rounding_, high = y0_ + (row + 1) * size_ + rounding_;
-      const double at_low = a.x() + slope * (low - a.y()), at_high = a.x() + slope * (high - a.y());
-      from = std::max(from, std::min(at_low, at_high) - rounding_);
-      to = std::min(to, std::max(at_low, at_high) + rounding_);
-    }
-    const int last = column_of(to);
-    for (int column = column_of(from); column <= last; ++column) {
-      Cell& c = cells_[cell(column, row)];
-      if (!is_open(c, front)) continue;
-      c.farthest = std::min(c.farthest, far);
-      c.tainted = true;
-    }
-  }
+  const float far = float_below(std::min(e.at_low.z(), e.at_high.z()) - rounding_);
+  grid_.visit_line(e.at_low, e.at_high, rounding_, [&](std::size_t cell) {
+    Cell& c = cells_[cell];
+    if (!is_open(c, front)) return;
+    c.farthest = std::min(c.farthest, far);
+    c.tainted = true;
+  });
 }
 
 bool CoverGrid::is_small(const SeenFacet& f) const {
-  const auto [x0, x1] = std::minmax({f.x[0], f.x[1], f.x[2]});
-  const auto [y0, y1] = std::minmax({f.y[0], f.y[1], f.y[2]});
-  return x1 - x0 < size_ && y1 - y0 < size_;
+  return f.right - f.left < size_ && f.top - f.bottom < size_;
 }
 
 // The cells that a facet may have a part in, until `visit` has had enough.
 template <class Visit>
 void CoverGrid::visit_cells(const SeenFacet& f, const Visit& visit) const {
-  const auto [x0, x1] = std::minmax({f.x[0], f.x[1], f.x[2]});
-  const auto [y0, y1] = std::minmax({f.y[0], f.y[1], f.y[2]});
-  const int column0 = column_of(x0 - rounding_), column1 = column_of(x1 + rounding_);
-  const int row0 = row_of(y0 - rounding_), row1 = row_of(y1 + rounding_);
+  const int column0 = grid_.column_of(f.left - rounding_), column1 = grid_.column_of(f.right + rounding_);
+  const int row0 = grid_.row_of(f.bottom - rounding_), row1 = grid_.row_of(f.top + rounding_);
   const bool all = column1 - column0 < narrow || row0 == row1;
   for (int row = row0; row <= row1; ++row) {
     int from = column0, to = column1;
     if (!all) {
       const auto [low, high] = span_of_row(f, row);
-      from = column_of(std::max(low, x0) - rounding_);
-      to = column_of(std::min(high, x1) + rounding_);
+      from = grid_.column_of(std::max(low, f.left) - rounding_);
+      to = grid_.column_of(std::min(high, f.right) + rounding_);
     }
     for (int column = from; column <= to; ++column)
       if (!visit(column, row)) return;
@@ -302,7 +243,7 @@ void CoverGrid::visit_cells(const SeenFacet& f, const Visit& visit) const {
 
 // Where a facet's sides run in a row of cells: from, to.
 std::pair<double, double> CoverGrid::span_of_row(const SeenFacet& f, int row) const {
-  const double low = y0_ + row * size_ - rounding_, high = y0_ + (row + 1) * size_ + rounding_;
+  const double low = grid_.bottom_of(row, rounding_), high = grid_.top_of(row, rounding_);
   double from = std::numeric_limits<double>::infinity(), to = -from;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = k < 2 ? k + 1 : 0;
@@ -318,17 +259,19 @@ std::pair<double, double> CoverGrid::span_of_row(const SeenFacet& f, int row) co
 }
 
 bool CoverGrid::hides(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids) const {
+  if (cells_.empty()) return false;
   const SeenFacet facet(view, ids);
-  if (facet.is_thin()) return false;
+  if (is_thin(facet)) return false;
   bool hidden = true;
   if (is_small(facet)) {
-    visit_cells(facet, [&](int column, int row) { return hidden = cells_[cell(column, row)].cover > facet.near; });
+    visit_cells(facet,
+                [&](int column, int row) { return hidden = cells_[grid_.cell(column, row)].cover > facet.near; });
     return hidden;
   }
   const FacetInCells in_cells(facet, 0.5 * size_, rounding_);
   visit_cells(facet, [&](int column, int row) {
-    const double x = x0_ + (column + 0.5) * size_, y = y0_ + (row + 0.5) * size_;
-    return hidden = cells_[cell(column, row)].cover > in_cells.nearest(x, y);
+    const auto [x, y] = middle_of(column, row);
+    return hidden = cells_[grid_.cell(column, row)].cover > in_cells.nearest(x, y);
   });
   return hidden;
 }

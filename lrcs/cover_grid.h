@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "lrcs/cell_grid.h"
+#include "lrcs/seen_facet.h"
 #include "lrcs/surface.h"
 #include "lrcs/view_outline.h"
 
@@ -24,8 +26,6 @@ class CoverGrid {
   // Is a facet certainly hidden, all of it? `ids`: its corners. Not said of thin ones, and of those seen nearly
   // edge-on.
   [[nodiscard]] bool hides(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids) const;
-
-  struct SeenFacet;  // a facet in the view
 
  private:
   static constexpr float nothing = -std::numeric_limits<float>::infinity();
@@ -55,15 +55,13 @@ class CoverGrid {
   template <class Visit>
   void visit_cells(const SeenFacet& facet, const Visit& visit) const;
   [[nodiscard]] std::pair<double, double> span_of_row(const SeenFacet& facet, int row) const;
-  [[nodiscard]] int column_of(double x) const;
-  [[nodiscard]] int row_of(double y) const;
-  [[nodiscard]] std::size_t cell(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  [[nodiscard]] std::pair<double, double> middle_of(int column, int row) const {
+    return {grid_.x0 + (column + 0.5) * size_, grid_.y0 + (row + 0.5) * size_};
   }
 
-  double x0_ = 0.0, y0_ = 0.0, size_ = 0.0, per_ = 0.0, rounding_ = 0.0;
-  int columns_ = 0, rows_ = 0;
-  std::vector<Cell> cells_;
+  CellGrid grid_;
+  double size_ = 0.0, rounding_ = 0.0;  // of a cell; of the view
+  std::vector<Cell> cells_;             // none: nothing is said
   std::vector<Item> items_, ordered_;
   std::vector<std::size_t> begins_;
 };

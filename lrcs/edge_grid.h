@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "lrcs/cell_grid.h"
 #include "lrcs/view_outline.h"
 
 namespace lrcs {
@@ -23,8 +24,7 @@ class EdgeGrid {
     std::uint32_t edge;
   };
   [[nodiscard]] std::span<const Entry> edges_in(int column, int row) const {
-    const std::size_t cell =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    const std::size_t cell = grid_.cell(column, row);
     return std::span(edges_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
   }
   // All edges, each once.
@@ -36,15 +36,10 @@ class EdgeGrid {
 
  private:
   void lay_out(const std::vector<OutlineEdge>& edges, double rounding);
-  template <class Visit>
-  void visit_cells(const OutlineEdge& edge, double rounding, const Visit& visit) const;
   [[nodiscard]] std::size_t entries_needed(const std::vector<OutlineEdge>& edges, double rounding) const;
   void coarsen();
-  [[nodiscard]] int column_of(double x) const;
-  [[nodiscard]] int row_of(double y) const;
 
-  double x0_ = 0.0, y0_ = 0.0, per_x_ = 0.0, per_y_ = 0.0;
-  int columns_ = 0, rows_ = 0;
+  CellGrid grid_;
   std::vector<std::uint32_t> begins_, next_;
   std::vector<Entry> edges_, all_;
   std::vector<std::uint32_t> filled_before_;  // summed over the cells left of and below

@@ -7,24 +7,17 @@
 
 namespace lrcs {
 
-void FacetSight::look_at(const ViewOutline& view, const std::array<std::uint32_t, 3>& ids) {
+void FacetSight::look_at(const SeenFacet& facet, const std::array<std::uint32_t, 3>& ids, double rounding) {
   ids_ = ids;
-  x0_ = view.x()[ids[0]];
-  y0_ = view.y()[ids[0]];
-  z0_ = view.z()[ids[0]];
-  const double ax = view.x()[ids[1]] - x0_, ay = view.y()[ids[1]] - y0_;
-  const double bx = view.x()[ids[2]] - x0_, by = view.y()[ids[2]] - y0_;
-  const double area = ax * by - ay * bx;
-  u_x_ = by / area;
-  u_y_ = -bx / area;
-  v_x_ = -ay / area;
-  v_y_ = ax / area;
-  z_u_ = view.z()[ids[1]] - z0_;
-  z_v_ = view.z()[ids[2]] - z0_;
+  x0_ = facet.x[0];
+  y0_ = facet.y[0];
+  z0_ = facet.z[0];
+  own_ = facet.own_coordinates();
+  z_u_ = facet.z[1] - z0_;
+  z_v_ = facet.z[2] - z0_;
   // An error of the view's rounding in each coordinate of the place and of the corners, to first order twice that.
-  const double sides = std::abs(ax) + std::abs(ay) + std::abs(bx) + std::abs(by);
-  slack_ = 8.0 * view.rounding() * sides / std::abs(area);
-  height_slack_ = 4.0 * view.rounding() + 2.0 * slack_ * (std::abs(z_u_) + std::abs(z_v_));
+  slack_ = 8.0 * rounding * facet.sides() / std::abs(facet.area());
+  height_slack_ = 4.0 * rounding + 2.0 * slack_ * (std::abs(z_u_) + std::abs(z_v_));
 }
 
 bool FacetSight::certainly_passes_by(const OutlineEdge& edge) const {
@@ -47,8 +40,8 @@ bool FacetSight::certainly_passes_by(const OutlineEdge& edge) const {
     } else {
       const Vec3& at = k == 0 ? edge.at_low : edge.at_high;
       const double dx = at.x() - x0_, dy = at.y() - y0_;
-      p.u = u_x_ * dx + u_y_ * dy;
-      p.v = v_x_ * dx + v_y_ * dy;
+      p.u = own_.u_x * dx + own_.u_y * dy;
+      p.v = own_.v_x * dx + own_.v_y * dy;
       const double reach = 1.0 + std::abs(p.u) + std::abs(p.v);
       most = std::max(most, reach);
       behind = behind && at.z() - (z0_ + p.u * z_u_ + p.v * z_v_) < -height_slack_ * reach;

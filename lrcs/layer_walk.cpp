@@ -60,12 +60,7 @@ bool LayerWalk::is_covered(std::uint32_t facet) {
 
 bool LayerWalk::cut(std::uint32_t facet) {
   const auto& ids = surface_.occluders.facets[facet];
-  const double* const x = view_.x();
-  const double* const y = view_.y();
-  const double* const z = view_.z();
-  const double x0 = std::min({x[ids[0]], x[ids[1]], x[ids[2]]}), x1 = std::max({x[ids[0]], x[ids[1]], x[ids[2]]});
-  const double y0 = std::min({y[ids[0]], y[ids[1]], y[ids[2]]}), y1 = std::max({y[ids[0]], y[ids[1]], y[ids[2]]});
-  const double far = std::min({z[ids[0]], z[ids[1]], z[ids[2]]}) - view_.rounding();
+  const SeenFacet seen(view_, ids);
   bool begun = false;
   const auto begin = [&] {
     if (!begun) cut_.begin(surface_, view_, facet);
@@ -75,16 +70,18 @@ bool LayerWalk::cut(std::uint32_t facet) {
     begin();
     cut_.add_contacts();
   }
+  const double rounding = view_.rounding();
   const auto cells =
-      grid_.cells(x0 - view_.rounding(), x1 + view_.rounding(), y0 - view_.rounding(), y1 + view_.rounding());
+      grid_.cells(seen.left - rounding, seen.right + rounding, seen.bottom - rounding, seen.top + rounding);
   if (!grid_.any(cells)) return begun && !cut_.empty();
-  sight_.look_at(view_, ids);
+  sight_.look_at(seen, ids, rounding);
   ++last_stamp_;
   const auto consider = [&](std::span<const EdgeGrid::Entry> entries) {
     for (const EdgeGrid::Entry& entry : entries) {
       // The edges' boxes are widened by the rounding of both.
-      const int apart = (entry.near < far ? 1 : 0) | (entry.x0 > x1 ? 1 : 0) | (entry.x1 < x0 ? 1 : 0) |
-                        (entry.y0 > y1 ? 1 : 0) | (entry.y1 < y0 ? 1 : 0);
+      const int apart = (entry.near < seen.far ? 1 : 0) | (entry.x0 > seen.right ? 1 : 0) |
+                        (entry.x1 < seen.left ? 1 : 0) | (entry.y0 > seen.top ? 1 : 0) |
+                        (entry.y1 < seen.bottom ? 1 : 0);
       if (apart != 0 || stamp_[entry.edge] == last_stamp_) continue;
       stamp_[entry.edge] = last_stamp_;
       const OutlineEdge& edge = view_.edges()[entry.edge];

@@ -57,9 +57,10 @@ class LayerWalk {
   static constexpr int not_wanted = unknown + 1;
   static constexpr int failed = unknown + 2;
   static constexpr int hidden = 0x40000000;  // some layers, wherever one looks: nobody walks there
-  struct State {                             // of a facet
-    int layers;                              // before it; the base for one that is cut
-    std::uint32_t cut;                       // its place in cuts_; none
+
+  struct State {        // of a facet
+    int layers;         // before it; the base for one that is cut
+    std::uint32_t cut;  // its place in cuts_; none
   };
   struct Cut {
     std::uint32_t facet;
