@@ -35,44 +35,33 @@ Counts expect_said_is_hidden(FacetMesh mesh, const Vec3& toward) {
   return counts;
 }
 
-// Squares of `size` side by side across z, in a plane z = `height`, two facets each.
-void add_tiles(FacetMesh& mesh, double low, double high, int count, double height) {
-  const double size = (high - low) / count;
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const auto across = static_cast<std::uint32_t>(count) + 1;
-  for (int row = 0; row <= count; ++row)
-    for (int column = 0; column <= count; ++column) add_vertex(mesh, {low + column * size, low + row * size, height});
-  for (std::uint32_t row = 0; row + 1 < across; ++row)
-    for (std::uint32_t column = 0; column + 1 < across; ++column) {
-      const std::uint32_t corner = first + row * across + column;
-      add_facet(mesh, corner, corner + 1, corner + across + 1);
-      add_facet(mesh, corner, corner + across + 1, corner + across);
-    }
+// A square of count x count tiles about the z axis, at a height.
+void add_sheet(FacetMesh& mesh, double half, std::uint32_t count, double height) {
+  add_tiled_plate(mesh, {-half, -half, height}, {2 * half, 0, 0}, {0, 2 * half, 0}, count);
+}
+
+void expect_all_said_behind_sheet(std::uint32_t count, const Vec3& toward) {
+  FacetMesh mesh;
+  add_sheet(mesh, 1.0, count, 1.0);
+  add_sheet(mesh, 0.9, 20, 0.0);
+  const Counts counts = expect_said_is_hidden(mesh, toward);
+  EXPECT_EQ(counts.hidden, 800);
+  EXPECT_EQ(counts.said, 800);
 }
 
 TEST(CoverGrid, OnePanelHidesAllThatLiesWellBehindIt) {
-  FacetMesh mesh;
-  add_tiles(mesh, -1.0, 1.0, 1, 1.0);
-  add_tiles(mesh, -0.9, 0.9, 20, 0.0);
-  const Counts counts = expect_said_is_hidden(mesh, Vec3::UnitZ());
-  EXPECT_EQ(counts.hidden, 800);
-  EXPECT_EQ(counts.said, 800);
+  expect_all_said_behind_sheet(1, Vec3::UnitZ());
 }
 
 TEST(CoverGrid, ASheetOfSmallFacetsHidesLikeOnePanel) {
-  FacetMesh mesh;
-  add_tiles(mesh, -1.0, 1.0, 40, 1.0);
-  add_tiles(mesh, -0.9, 0.9, 20, 0.0);
-  const Counts counts = expect_said_is_hidden(mesh, Vec3(0.01, -0.02, 1.0).normalized());
-  EXPECT_EQ(counts.hidden, 800);
-  EXPECT_EQ(counts.said, 800);
+  expect_all_said_behind_sheet(40, Vec3(0.01, -0.02, 1.0).normalized());
 }
 
 TEST(CoverGrid, ASheetWithAHoleDoesNotHideWhatIsBehindTheHole) {
   FacetMesh mesh;
-  add_tiles(mesh, -1.0, 1.0, 40, 1.0);
+  add_sheet(mesh, 1.0, 40, 1.0);
   mesh.facets.erase(mesh.facets.begin() + 1640);  // one facet
-  add_tiles(mesh, -0.9, 0.9, 20, 0.0);
+  add_sheet(mesh, 0.9, 20, 0.0);
   const Counts counts = expect_said_is_hidden(mesh, Vec3(0.01, -0.02, 1.0).normalized());
   EXPECT_LT(counts.hidden, 800);
   EXPECT_GE(counts.said, 700);
@@ -81,12 +70,12 @@ TEST(CoverGrid, ASheetWithAHoleDoesNotHideWhatIsBehindTheHole) {
 // Two sheets that pass through each other: neither hides where it dives below the other, both together do.
 TEST(CoverGrid, SheetsThatPassThroughEachOtherHideWhatIsBehindBoth) {
   FacetMesh mesh;
-  add_tiles(mesh, -1.0, 1.0, 20, 1.0);
+  add_sheet(mesh, 1.0, 20, 1.0);
   for (Vec3& p : mesh.positions) p.z() += 0.2 * p.x();
   const std::size_t first = mesh.positions.size();
-  add_tiles(mesh, -1.0, 1.0, 20, 1.0);
+  add_sheet(mesh, 1.0, 20, 1.0);
   for (std::size_t k = first; k < mesh.positions.size(); ++k) mesh.positions[k].z() -= 0.2 * mesh.positions[k].x();
-  add_tiles(mesh, -0.9, 0.9, 10, 0.0);
+  add_sheet(mesh, 0.9, 10, 0.0);
   const Counts counts = expect_said_is_hidden(mesh, Vec3::UnitZ());
   EXPECT_GE(counts.said, 200);
 }
@@ -101,9 +90,8 @@ TEST(CoverGrid, WhatIsSaidToBeHiddenIsHidden) {
     for (int k = 0; k < 6; ++k) {
       const Vec3 low(real(random), real(random), real(random));
       add_box(mesh, low, low + Vec3(0.2 + std::abs(real(random)), 0.2 + std::abs(real(random)), 0.05));
-      FacetMesh tiles;
-      add_tiles(tiles, low.x(), low.x() + 0.5, 4 + k, 0.3 * real(random));
-      append(mesh, tiles);
+      const auto count = static_cast<std::uint32_t>(4 + k);
+      add_tiled_plate(mesh, {low.x(), low.x(), 0.3 * real(random)}, {0.5, 0, 0}, {0, 0.5, 0}, count);
     }
     const Counts counts = expect_said_is_hidden(mesh, seed % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_direction(random));
     hidden += counts.hidden;

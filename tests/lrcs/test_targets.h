@@ -38,6 +38,19 @@ inline void add_plate(FacetMesh& mesh, const Vec3& p, const Vec3& u, const Vec3&
   add_facet(mesh, a, c, d);
 }
 
+// The same cut into count x count plates that share their vertices.
+inline void add_tiled_plate(FacetMesh& mesh, const Vec3& p, const Vec3& u, const Vec3& v, std::uint32_t count) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::uint32_t k = 0; k <= count; ++k)
+    for (std::uint32_t i = 0; i <= count; ++i) add_vertex(mesh, p + i * u / count + k * v / count);
+  for (std::uint32_t k = 0; k < count; ++k)
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t a = first + k * (count + 1) + i;
+      add_facet(mesh, a, a + 1, a + count + 2);
+      add_facet(mesh, a, a + count + 2, a + count + 1);
+    }
+}
+
 inline void add_box(FacetMesh& mesh, const Vec3& low, const Vec3& high) {
   const Vec3 s = high - low;
   const Vec3 x(s.x(), 0, 0), y(0, s.y(), 0), z(0, 0, s.z());

@@ -190,15 +190,7 @@ TEST(WalkAgainstClipping, OnCoincidentShellsFarFromTheOrigin) {
 
 TEST(WalkAgainstClipping, OnAFlatGridNeedsFewQueries) {
   FacetMesh mesh;
-  constexpr std::uint32_t side = 30;
-  for (std::uint32_t k = 0; k <= side; ++k)
-    for (std::uint32_t i = 0; i <= side; ++i) add_vertex(mesh, {0.1 * i, 0.3 * k, 0.7});
-  for (std::uint32_t k = 0; k < side; ++k)
-    for (std::uint32_t i = 0; i < side; ++i) {
-      const std::uint32_t a = k * (side + 1) + i;
-      add_facet(mesh, a, a + 1, a + side + 2);
-      add_facet(mesh, a, a + side + 2, a + side + 1);
-    }
+  add_tiled_plate(mesh, {0, 0, 0.7}, {3, 0, 0}, {0, 9, 0}, 30);
   measure_facets(mesh);
   VisibilityCost cost;
   const Vec3 d = Vec3(0.3, 0.4, 1.0).normalized();
