@@ -11,6 +11,7 @@
 
 #include "base/direction.h"
 #include "bench/embree_rays.h"
+#include "bench/median.h"
 #include "brdf/library.h"
 #include "lrcs/visibility.h"
 
@@ -61,7 +62,7 @@ std::vector<Method> methods(const Visibility& visibility, const EmbreeRays& embr
                    return seen;
                  }});
   for (unsigned side = 1; side <= (short_run ? 4U : 16U); side *= 2)
-    all.push_back({fmt::format("{} Embree ray{} a facet", side * side, side == 1 ? "" : "s"), true,
+    all.push_back({side == 1 ? one_ray_a_facet : fmt::format("{} Embree rays a facet", side * side), true,
                    [&embree, side](const Vec3& d) { return embree.from_facets(d, side); }});
   for (unsigned side = 256; side <= (short_run ? 512U : 4096U); side *= 2)
     all.push_back({fmt::format("ray grid {}^2", side), false,
@@ -93,8 +94,7 @@ std::vector<Measurement> measure(const std::string& name, const FacetMesh& mesh,
     for (std::size_t m = 0; m < all.size(); ++m) {
       const Totals exact = total(mesh, toward, seen[0], all[m].fronts_alone);
       const Totals its = total(mesh, toward, seen[m], all[m].fronts_alone);
-      std::nth_element(times[m].begin(), times[m].begin() + repetitions / 2, times[m].end());
-      measured.push_back({name, mesh.size(), azimuth, elevation, all[m].name, times[m][repetitions / 2],
+      measured.push_back({name, mesh.size(), azimuth, elevation, all[m].name, median(times[m]),
                           relative(its.seen_area, exact.seen_area), relative(its.lambert, exact.lambert),
                           relative(its.metal_skin, exact.metal_skin)});
     }

@@ -18,6 +18,9 @@ struct Measurement {
   double error_metal_skin = 0.0;  // of sigma, metal-skin-5p
 };
 
+// The method that others are compared with: what private scripts do.
+inline constexpr const char* one_ray_a_facet = "1 Embree ray a facet";
+
 // Error and time of every method, monostatic, one thread, what is built once per target left out. The methods take
 // turns, so that whatever else the machine does slows all alike. Directions are seeded.
 // Errors of rays from facets are those of the front facets alone, of which they know.
