@@ -133,7 +133,7 @@ int run(int argc, char** argv) {
     const auto of_sphere = take(fmt::format("bumpy sphere {}k", facets / 1000), lrcs::bench::bumpy_sphere(rings));
     spheres.insert(spheres.end(), of_sphere.begin(), of_sphere.end());
   }
-  print_growth(spheres);
+  if (!spheres.empty()) print_growth(spheres);
   if (!out.empty()) write_csv(out, measured);
   return agree(measured) ? 0 : 1;
 }
