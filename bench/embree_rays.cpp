@@ -1,195 +1,140 @@
 #include "bench/embree_rays.h"
 
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cassert>
 #include <limits>
-#include <random>
 
-#include "base/direction.h"
-
-namespace lrcs::bench {
+namespace lrcs {
 namespace {
 
-constexpr unsigned packet = 16;
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-// Denormals off while it lives.
-class NoDenormals {
- public:
-  NoDenormals() {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~NoDenormals() { _mm_setcsr(before_); }
-  NoDenormals(const NoDenormals&) = delete;
-  NoDenormals& operator=(const NoDenormals&) = delete;
-
- private:
-  unsigned before_ = _mm_getcsr();
-};
-
-// A ray starts on its own facet, whose number is the ray's: that is no hit.
-void pass_own_facet(const RTCFilterFunctionNArguments* arguments) {
-  for (unsigned k = 0; k < arguments->N; ++k)
-    if (RTCHitN_primID(arguments->hit, arguments->N, k) == RTCRayN_id(arguments->ray, arguments->N, k))
-      arguments->valid[k] = 0;
+void skip_own_facet(const RTCFilterFunctionNArguments* hits) {
+  for (unsigned k = 0; k < hits->N; ++k)
+    if (hits->valid[k] == -1 && RTCHitN_primID(hits->hit, hits->N, k) == RTCRayN_id(hits->ray, hits->N, k))
+      hits->valid[k] = 0;
 }
 
-// Fills a packet ray by ray and asks for it when it is full.
-template <class Packet, class Ask>
-class Packets {
- public:
-  Packets(Packet& rays, const Vec3& direction, const Ask& ask) : rays_(rays), direction_(direction), ask_(ask) {}
-
-  void add(const std::array<float, 3>& from, std::uint32_t id) {
-    auto& r = rays_;
-    r.org_x[count_] = from[0];
-    r.org_y[count_] = from[1];
-    r.org_z[count_] = from[2];
-    r.dir_x[count_] = static_cast<float>(direction_.x());
-    r.dir_y[count_] = static_cast<float>(direction_.y());
-    r.dir_z[count_] = static_cast<float>(direction_.z());
-    r.tnear[count_] = 0.0F;
-    r.tfar[count_] = infinity;
-    r.time[count_] = 0.0F;
-    r.mask[count_] = ~0U;
-    r.flags[count_] = 0;
-    r.id[count_] = id;
-    valid_[count_] = -1;
-    if (++count_ == packet) flush();
-  }
-  void flush() {
-    for (unsigned k = count_; k < packet; ++k) valid_[k] = 0;
-    if (count_ > 0) ask_(valid_.data(), count_);
-    count_ = 0;
-  }
-
- private:
-  Packet& rays_;
-  Vec3 direction_;
-  const Ask& ask_;
-  alignas(64) std::array<int, packet> valid_{};
-  unsigned count_ = 0;
+// A point of the triangle (0,0), (1,0), (0,1).
+struct Barycentric {
+  float u, v;
 };
+
+// Random, evenly over the unit triangle: the square's other half is turned onto it. A short generator (splitmix64),
+// for its time is that of the method.
+Barycentric random_point(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  const float u = static_cast<float>(z >> 40U) * 0x1p-24F;
+  const float v = static_cast<float>((z >> 16U) & 0xffffffU) * 0x1p-24F;
+  return u + v > 1.0F ? Barycentric{1.0F - u, 1.0F - v} : Barycentric{u, v};
+}
 
 }  // namespace
 
-EmbreeRays::EmbreeRays(const FacetMesh& mesh)
-    : mesh_(mesh), device_(rtcNewDevice("threads=1,set_affinity=0")), scene_(rtcNewScene(device_)) {
-  Vec3 low = mesh.positions.front(), high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+// Rays on their way to Embree, 16 at a time.
+struct EmbreeRays::Packet {
+  static constexpr unsigned width = 16;
+
+  Packet(RTCScene scene_, const Vec3& to_viewer, std::vector<std::uint16_t>& clear_) : scene(scene_), clear(clear_) {
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;  // up to a fifth faster here
+    context.filter = skip_own_facet;
+    std::fill_n(ray.dir_x, width, static_cast<float>(to_viewer.x()));
+    std::fill_n(ray.dir_y, width, static_cast<float>(to_viewer.y()));
+    std::fill_n(ray.dir_z, width, static_cast<float>(to_viewer.z()));
+    std::fill_n(ray.tnear, width, 0.0F);
+    std::fill_n(ray.mask, width, ~0U);
+    std::fill_n(ray.flags, width, 0U);
+    std::fill_n(ray.time, width, 0.0F);
+    std::fill_n(valid.begin(), width, -1);
   }
-  centre_ = 0.5 * (low + high);
-  scale_ = 1.0 / (high - low).maxCoeff();
-  rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* const positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
-  auto* const facets = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.size()));
-  for (std::size_t k = 0; k < mesh.positions.size(); ++k)
-    for (int axis = 0; axis < 3; ++axis)
-      positions[3 * k + static_cast<std::size_t>(axis)] =
-          static_cast<float>((mesh.positions[k][axis] - centre_[axis]) * scale_);
-  for (std::size_t k = 0; k < mesh.size(); ++k) std::copy_n(mesh.facets[k].begin(), 3, facets + 3 * k);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene_);
-}
 
-EmbreeRays::~EmbreeRays() {
-  rtcReleaseScene(scene_);
-  rtcReleaseDevice(device_);
-}
+  void add(std::size_t facet, float x, float y, float z) {
+    ray.org_x[filled] = x;
+    ray.org_y[filled] = y;
+    ray.org_z[filled] = z;
+    ray.tfar[filled] = std::numeric_limits<float>::infinity();
+    ray.id[filled] = static_cast<unsigned>(facet);
+    if (++filled == width) cast();
+  }
 
-std::vector<double> EmbreeRays::from_facets(const Vec3& toward, unsigned side) const {
-  const NoDenormals off;
+  void cast() {
+    if (filled < width) std::fill(valid.begin() + filled, valid.end(), 0);
+    rtcOccluded16(valid.data(), scene, &context, &ray);
+    for (unsigned k = 0; k < filled; ++k) clear[ray.id[k]] += ray.tfar[k] < 0.0F ? 0 : 1;
+    filled = 0;
+  }
+
+  alignas(64) RTCRay16 ray;
+  alignas(64) std::array<int, width> valid;
   RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.filter = pass_own_facet;
-  const double share = 1.0 / (side * side);
-  std::vector<double> seen(mesh_.size(), 0.0);
-  alignas(64) RTCRay16 rays;
-  const auto ask = [&](const int* valid, unsigned count) {
-    rtcOccluded16(valid, scene_, &context, &rays);
-    for (unsigned k = 0; k < count; ++k)
-      if (rays.tfar[k] >= 0.0F) seen[rays.id[k]] += share;
-  };
-  Packets packets(rays, toward, ask);
-  std::minstd_rand random(1);
-  std::uniform_real_distribution<double> within(0.0, 1.0);
-  for (std::uint32_t f = 0; f < mesh_.size(); ++f) {
-    if (mesh_.normals[f].dot(toward) <= 0.0) continue;
-    const auto corners = mesh_.corners(f);
-    const Vec3 a = (corners[0] - centre_) * scale_, b = (corners[1] - centre_) * scale_;
-    const Vec3 c = (corners[2] - centre_) * scale_;
-    const auto add = [&](const Vec3& p) {
-      packets.add({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}, f);
+  RTCScene scene;
+  std::vector<std::uint16_t>& clear;
+  unsigned filled = 0;
+};
+
+EmbreeRays::EmbreeRays(const FacetMesh& mesh, const EmbreeScene& scene)
+    : mesh_(mesh), scene_(scene), clear_(mesh.size()) {
+  centroids_.reserve(3 * mesh.size());
+  for (std::size_t f = 0; f < mesh.size(); ++f) {
+    const auto [a, b, c] = mesh.corners(f);
+    const Vec3 centroid = scene.placement().placed((a + b + c) / 3.0);
+    for (int axis = 0; axis < 3; ++axis) centroids_.push_back(static_cast<float>(centroid[axis]));
+  }
+}
+
+void EmbreeRays::cast(const Vec3& to_viewer, std::uint32_t strata) {
+  assert(strata >= 1 && strata <= 255);
+  rays_a_facet_ = strata * strata;
+  std::fill(clear_.begin(), clear_.end(), std::uint16_t{0});
+  const FlushDenormals flush;
+  if (strata == 1)
+    cast_from_centroids(to_viewer);
+  else
+    cast_from_strata(to_viewer, strata);
+}
+
+void EmbreeRays::cast_from_centroids(const Vec3& to_viewer) {
+  Packet packet(scene_.scene(), to_viewer, clear_);
+  for (std::size_t f = 0; f < mesh_.size(); ++f) {
+    if (mesh_.normals[f].dot(to_viewer) <= 0.0) continue;
+    packet.add(f, centroids_[3 * f], centroids_[3 * f + 1], centroids_[3 * f + 2]);
+  }
+  packet.cast();
+}
+
+void EmbreeRays::cast_from_strata(const Vec3& to_viewer, std::uint32_t strata) {
+  Packet packet(scene_.scene(), to_viewer, clear_);
+  const float step = 1.0F / static_cast<float>(strata);
+  for (std::size_t f = 0; f < mesh_.size(); ++f) {
+    if (mesh_.normals[f].dot(to_viewer) <= 0.0) continue;
+    const auto a = scene_.corner(f, 0), b = scene_.corner(f, 1), c = scene_.corner(f, 2);
+    std::uint64_t state = f << 20U;
+    const auto add = [&](float u, float v) {
+      u *= step;
+      v *= step;
+      packet.add(f, a[0] + u * (b[0] - a[0]) + v * (c[0] - a[0]), a[1] + u * (b[1] - a[1]) + v * (c[1] - a[1]),
+                 a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2]));
     };
-    if (side == 1) {
-      add((a + b + c) / 3.0);
-      continue;
-    }
-    for (unsigned i = 0; i < side; ++i)
-      for (unsigned j = 0; j < side; ++j) {
-        const double root = std::sqrt((i + within(random)) / side), t = (j + within(random)) / side;
-        add((1.0 - root) * a + root * (1.0 - t) * b + root * t * c);
+    for (std::uint32_t row = 0; row < strata; ++row)
+      for (std::uint32_t column = 0; column + row < strata; ++column) {
+        const auto i = static_cast<float>(column), j = static_cast<float>(row);
+        const Barycentric upright = random_point(state);
+        add(i + upright.u, j + upright.v);
+        if (column + row + 1 == strata) continue;
+        const Barycentric turned = random_point(state);
+        add(i + 1.0F - turned.u, j + 1.0F - turned.v);
       }
   }
-  packets.flush();
-  return seen;
+  packet.cast();
 }
 
-std::vector<double> EmbreeRays::from_pixels(const Vec3& toward, unsigned side) const {
-  const NoDenormals off;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  // Turned about the view: rows of pixels along a target's own axes fall into step with its edges.
-  constexpr double turn_deg = 31.7;
-  const auto [c, s] = cos_sin_deg(turn_deg);
-  const Vec3 any = toward.unitOrthogonal();
-  const Vec3 across = c * any + s * toward.cross(any), up = toward.cross(across);
-  double x0 = 1.0, x1 = -1.0, y0 = 1.0, y1 = -1.0;
-  for (const Vec3& p : mesh_.positions) {
-    const Vec3 q = (p - centre_) * scale_;
-    x0 = std::min(x0, across.dot(q));
-    x1 = std::max(x1, across.dot(q));
-    y0 = std::min(y0, up.dot(q));
-    y1 = std::max(y1, up.dot(q));
-  }
-  const double width = (x1 - x0) / side, height = (y1 - y0) / side;
-  std::vector<double> seen(mesh_.size(), 0.0);
-  alignas(64) RTCRayHit16 rays;
-  const auto ask = [&](const int* valid, unsigned count) {
-    for (unsigned k = 0; k < count; ++k) rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect16(valid, scene_, &context, &rays);
-    for (unsigned k = 0; k < count; ++k)
-      if (rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID) seen[rays.hit.primID[k]] += 1.0;
-  };
-  Packets packets(rays.ray, Vec3(-toward), ask);
-  // In blocks of 4 x 4, for rays side by side take the same way through the tree.
-  for (unsigned block = 0; block < side * side; block += packet)
-    for (unsigned k = 0; k < packet; ++k) {
-      const unsigned per_row = side / 4, row = block / packet / per_row * 4 + k / 4;
-      const unsigned column = block / packet % per_row * 4 + k % 4;
-      const Vec3 p = 2.0 * toward + (x0 + (column + 0.5) * width) * across + (y0 + (row + 0.5) * height) * up;
-      packets.add({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}, 0);
-    }
-  packets.flush();
-  const double pixel = width * height / (scale_ * scale_);
-  for (std::size_t f = 0; f < mesh_.size(); ++f) {
-    const double whole = mesh_.areas[f] * std::abs(mesh_.normals[f].dot(toward));
-    seen[f] = whole > 0.0 ? seen[f] * pixel / whole : 0.0;
-  }
-  return seen;
+std::vector<double> EmbreeRays::seen_fraction() const {
+  std::vector<double> fraction(clear_.size());
+  for (std::size_t f = 0; f < clear_.size(); ++f) fraction[f] = static_cast<double>(clear_[f]) / rays_a_facet_;
+  return fraction;
 }
 
-}  // namespace lrcs::bench
+}  // namespace lrcs

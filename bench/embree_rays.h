@@ -1,36 +1,36 @@
 #pragma once
-#include <embree3/rtcore.h>
-
+#include <cstdint>
 #include <vector>
 
-#include "base/vec3.h"
-#include "mesh/facet_mesh.h"
+#include "bench/embree_scene.h"
 
-namespace lrcs::bench {
+namespace lrcs {
 
-// What others do: ask a ray tracer which places of a target are seen. One thread; Embree's own advice is followed (one
-// tree of high quality, packets of 16, denormals off), with the robust flag, for grazing rays slip through edges
-// without.
+// What most LRCS programs do: rays from points of every front facet toward the viewer; seen are those that nothing
+// stops. Occlusion rays in packets of 16, in the facets' order; hits of the ray's own facet are skipped.
+// The points: the centroid; or strata^2 of them, one at random in each of as many congruent triangles. Own numbers
+// are drawn for every facet, the same for every call.
 class EmbreeRays {
  public:
-  explicit EmbreeRays(const FacetMesh& mesh);
-  ~EmbreeRays();
-  EmbreeRays(const EmbreeRays&) = delete;
-  EmbreeRays& operator=(const EmbreeRays&) = delete;
+  // Keeps references.
+  EmbreeRays(const FacetMesh& mesh, const EmbreeScene& scene);
 
-  // The seen fraction of every front facet, by side^2 stratified rays from it toward the viewer (1: from its middle).
-  // shape: one a facet; 0 for those whose back is seen.
-  [[nodiscard]] std::vector<double> from_facets(const Vec3& toward, unsigned side) const;
+  // Casts strata^2 rays a front facet. domain: strata in 1..255.
+  void cast(const Vec3& to_viewer, std::uint32_t strata);
 
-  // The seen fraction of every facet, by parallel rays through the middles of side^2 pixels of the target's picture.
-  [[nodiscard]] std::vector<double> from_pixels(const Vec3& toward, unsigned side) const;
+  // Of the last cast. shape: one a facet; 0 for those that turn their back.
+  [[nodiscard]] std::vector<double> seen_fraction() const;
 
  private:
+  struct Packet;
+  void cast_from_centroids(const Vec3& to_viewer);
+  void cast_from_strata(const Vec3& to_viewer, std::uint32_t strata);
+
   const FacetMesh& mesh_;
-  Vec3 centre_ = Vec3::Zero();
-  double scale_ = 1.0;  // brings the target's size to 1: Embree's numbers are floats
-  RTCDevice device_;
-  RTCScene scene_;
+  const EmbreeScene& scene_;
+  std::vector<float> centroids_;      // three a facet, in Embree's frame
+  std::vector<std::uint16_t> clear_;  // rays that nothing stopped, of each facet
+  std::uint32_t rays_a_facet_ = 1;
 };
 
-}  // namespace lrcs::bench
+}  // namespace lrcs

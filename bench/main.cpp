@@ -1,153 +1,164 @@
-// Run time against error: the exact way beside rays. One process, one thread.
+// lrcs_bench: what the exact method costs, and what sampling costs and misses. See about() or --help.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "base/input_error.h"
-#include "base/whole_file.h"
-#include "bench/bumpy_sphere.h"
-#include "bench/median.h"
-#include "bench/work_precision.h"
-#include "mesh/read_mesh.h"
+#include "bench/cost_growth.h"
+#include "bench/measurement.h"
+#include "bench/summary.h"
+#include "bench/sweep_speed.h"
+#include "bench/targets.h"
+#include "bench/work_precision_plot.h"
+#include "bench/z_buffer.h"
 
+namespace lrcs {
 namespace {
 
-using lrcs::bench::Measurement;
-using lrcs::bench::median;
+constexpr int done = 0, found_faults = 1, could_not_finish = 1, wrong_input = 2;
 
-// Medians over the directions of each method, in the order in which they ran.
-struct Row {
-  std::string method;
-  double seconds, ratio, error_lambert, error_metal_skin, error_seen_area;  // ratio: to one ray a facet
+struct Options {
+  std::vector<std::string> targets;  // empty: those of the run
+  std::size_t directions = 0;        // 0: as many as the run takes
+  int runs = 5;
+  double longest_run = 20.0;  // [s]
+  std::filesystem::path out = "results/bench";
+  bool is_short = false;
+  bool only_sweeps = false;
 };
 
-std::vector<Row> medians(const std::vector<Measurement>& of_target) {
-  std::vector<std::string> names;
-  std::map<std::string, std::vector<Measurement>> by_method;
-  for (const Measurement& m : of_target) {
-    if (by_method[m.method].empty()) names.push_back(m.method);
-    by_method[m.method].push_back(m);
-  }
-  const auto& one_ray = by_method.at(lrcs::bench::one_ray_a_facet);
-  std::vector<Row> rows;
-  for (const std::string& name : names) {
-    const auto& all = by_method.at(name);
-    const auto middle = [&](auto&& value) {
-      std::vector<double> values;
-      for (std::size_t k = 0; k < all.size(); ++k) values.push_back(value(k));
-      return median(values);
-    };
-    rows.push_back({name, middle([&](std::size_t k) { return all[k].seconds; }),
-                    middle([&](std::size_t k) { return all[k].seconds / one_ray[k].seconds; }),
-                    middle([&](std::size_t k) { return all[k].error_lambert; }),
-                    middle([&](std::size_t k) { return all[k].error_metal_skin; }),
-                    middle([&](std::size_t k) { return all[k].error_seen_area; })});
-  }
-  return rows;
+std::string about() {
+  return fmt::format(
+      "Error AND time of ways to find what is seen of a target, monostatic, in one process, on one thread:\n"
+      "exact; Embree with 1, 4, 16, 64, 256 stratified rays from every front facet; an Embree ray grid of 256^2 to\n"
+      "4096^2; an OpenGL z-buffer of the same sizes (software OpenGL, one thread, left out where there is none).\n"
+      "\n"
+      "Time: from a direction to the seen part of every facet. What is built once a target is said apart, with the\n"
+      "memory by which this process grows at its peak. Methods take turns, run by run, in every direction.\n"
+      "Error: relative to the exact method, of sigma (Lambert, and metal-skin-5p) and of the projected seen area, "
+      "over\n"
+      "the facets' front sides. Then, unless --targets: growth of time with facets, thread scaling, and the speed of\n"
+      "a convex sweep beside the machine's copy bandwidth.\n"
+      "\n"
+      "In the folder of --out: measurements.csv (every run) and work-precision-TARGET.png.\n"
+      "Known targets: {}.\n"
+      "Exit status: 0; 1: --short found an error that sampling does not explain, or the run could not finish; 2: "
+      "wrong\n"
+      "input.",
+      fmt::join(known_targets(), ", "));
 }
 
-void print(const std::vector<Measurement>& of_target) {
-  fmt::print("\n{}, {} facets\n{:24}{:>12}{:>12}{:>14}{:>14}{:>14}\n", of_target.front().target,
-             of_target.front().facets, "method", "time [ms]", "/ one ray", "error Lambert", "metal skin", "seen area");
-  for (const Row& r : medians(of_target))
-    fmt::print("{:24}{:12.2f}{:12.2f}{:14.1e}{:14.1e}{:14.1e}\n", r.method, 1e3 * r.seconds, r.ratio, r.error_lambert,
-               r.error_metal_skin, r.error_seen_area);
+void print(const std::string& text) {
+  fmt::print("{}", text);
   std::fflush(stdout);
 }
 
-void write_csv(const std::filesystem::path& file, const std::vector<Measurement>& measured) {
-  std::string text =
-      "target,facets,azimuth_deg,elevation_deg,method,seconds,error_lambert,error_metal_skin,error_seen_area\n";
-  for (const Measurement& m : measured)
-    text += fmt::format("{},{},{:.6f},{:.6f},{},{:.6e},{:.3e},{:.3e},{:.3e}\n", m.target, m.facets, m.azimuth_deg,
-                        m.elevation_deg, m.method, m.seconds, m.error_lambert, m.error_metal_skin, m.error_seen_area);
-  lrcs::write_whole_file(file, text);
+void print_head(const std::string& target, std::size_t facets, const Methods& methods) {
+  print(fmt::format("\n{}: {} facets\n", target, facets));
+  for (const Building& b : methods.built)
+    print(fmt::format("  built once: {:10}{:8.0f} ms{:10.1f} MB at its peak,{:7.0f} bytes a facet\n", b.what,
+                      1e3 * b.seconds, 1e-6 * b.bytes, b.bytes / static_cast<double>(facets)));
 }
 
-// Time grows as facets^exponent, fitted over the bumpy spheres.
-void print_growth(const std::vector<Measurement>& spheres) {
-  std::map<std::string, std::map<std::size_t, std::vector<double>>> times;
-  for (const Measurement& m : spheres) times[m.method][m.facets].push_back(m.seconds);
-  fmt::print("\ngrowth of time over the bumpy spheres: facets^exponent\n");
-  for (const auto& [method, by_facets] : times) {
-    double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
-    for (const auto& [facets, seconds] : by_facets) {
-      const double x = std::log(static_cast<double>(facets)), y = std::log(median(seconds));
-      n += 1.0;
-      sx += x;
-      sy += y;
-      sxx += x * x;
-      sxy += x * y;
-    }
-    if (n > 1.0) fmt::print("{:24}{:12.2f}\n", method, (n * sxy - sx * sy) / (n * sxx - sx * sx));
+class Bench {
+ public:
+  explicit Bench(const Options& options) : options_(options) {
+    std::filesystem::create_directories(options.out);
+    std::string why;
+    display_ = open_z_buffer_display(&why);
+    if (!display_) print(fmt::format("no z-buffer: OpenGL cannot draw here: {}\n", why));
   }
-}
 
-// A ray grid that is farther from the exact answer than sampling can be: one of the two is wrong.
-bool agree(const std::vector<Measurement>& measured) {
-  constexpr double most = 0.05;  // relative; ten times what the coarsest grid was seen to make
-  bool good = true;
-  for (const Measurement& m : measured)
-    if (m.method.starts_with("ray grid") && !(m.error_seen_area <= most)) {
-      fmt::print(stderr, "{} at ({:.1f}, {:.1f}): {} is off by {:.1e}\n", m.target, m.azimuth_deg, m.elevation_deg,
-                 m.method, m.error_seen_area);
-      good = false;
-    }
-  return good;
-}
+  void measure_targets() {
+    for (const std::string& target : targets()) measure_target(target);
+    print(cost_growth_text(spheres_));
+  }
+
+  void measure_sweeps() const {
+    print("\n");
+    const bool s = options_.is_short;
+    print(thread_scaling(s ? 20 : 100, s ? 1 : 3));
+    print(convex_sweep_speed(s ? 6 : 8, 8, s ? 1 : 3));
+  }
+
+  // Whether all methods agree as far as they should; prints where not.
+  [[nodiscard]] bool agree() const {
+    const auto lines = faults(measured_);
+    if (!lines.empty())
+      print(fmt::format("\nerrors that sampling does not explain:\n  {}\n", fmt::join(lines, "\n  ")));
+    return lines.empty();
+  }
+
+ private:
+  [[nodiscard]] const std::vector<std::string>& targets() const {
+    if (!options_.targets.empty()) return options_.targets;
+    return options_.is_short ? short_targets() : known_targets();
+  }
+
+  void measure_target(const std::string& target) {
+    const FacetMesh mesh = target_mesh(target);
+    const Fineness coarse{{1, 2, 4}, {256, 1024}};
+    const Methods methods = methods_for(mesh, options_.is_short ? coarse : Fineness{}, display_.get());
+    const std::string name = short_name(target);
+    print_head(name, mesh.size(), methods);
+    const std::size_t usual = options_.is_short ? 2 : 7;
+    const Plan plan{.directions = seeded_directions(options_.directions > 0 ? options_.directions : usual),
+                    .runs = options_.runs,
+                    .longest_run = options_.longest_run};
+    const auto rows = measure(name, mesh.size(), methods, plan);
+    const auto summary = summaries(rows);
+    print(table_text(summary));
+    draw_work_precision(options_.out / ("work-precision-" + name + ".png"), summary, plan.directions.size());
+    if (std::ranges::count(bumpy_spheres(), target) > 0)
+      spheres_.insert(spheres_.end(), summary.begin(), summary.end());
+    measured_.insert(measured_.end(), rows.begin(), rows.end());
+    write_csv(options_.out / "measurements.csv", measured_);
+  }
+
+  const Options& options_;
+  std::unique_ptr<PrivateDisplay> display_;
+  std::vector<Measurement> measured_;
+  std::vector<Summary> spheres_;
+};
 
 int run(int argc, char** argv) {
-  CLI::App app("Run time against error of seen fractions: exact, rays from facets, rays through pixels");
-  std::vector<std::string> targets;
-  std::filesystem::path out;
-  unsigned directions = 5;
-  std::size_t most_facets = 2100000;
-  bool short_run = false;
-  app.add_option("targets", targets, "mesh files; bumpy spheres are always there");
-  app.add_option("-o,--output", out, "CSV with every measurement");
-  app.add_option("--directions", directions, "seeded directions a target")->check(CLI::Range(1, 1000));
-  app.add_option("--most-facets", most_facets, "of the bumpy spheres")->check(CLI::Range(1000, 10000000));
-  app.add_flag("--short", short_run, "a check that all works: small spheres, few methods");
-  CLI11_PARSE(app, argc, argv);
-  if (short_run) most_facets = std::min<std::size_t>(most_facets, 130000);
-
-  std::vector<Measurement> measured, spheres;
-  const auto take = [&](const std::string& name, const lrcs::FacetMesh& mesh) {
-    auto of_target = lrcs::bench::measure(name, mesh, directions, short_run);
-    print(of_target);
-    measured.insert(measured.end(), of_target.begin(), of_target.end());
-    return of_target;
-  };
-  for (const std::string& file : targets) {
-    lrcs::FacetMesh mesh = lrcs::read_mesh(file);
-    measure_facets(mesh);
-    take(std::filesystem::path(file).filename().string(), mesh);
+  Options options;
+  CLI::App app(about(), "lrcs_bench");
+  app.add_flag("--short", options.is_short, "A minute: small targets, few directions, coarse sampling; checks errors");
+  app.add_option("--targets", options.targets, "Known targets or mesh files, with commas; only these, no sweeps")
+      ->delimiter(',');
+  app.add_flag("--sweeps", options.only_sweeps, "Thread scaling and convex sweep only, or beside --targets");
+  app.add_option("--directions", options.directions, "Seeded directions a target (default 7; 2 with --short)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--runs", options.runs, "Runs of a method in a direction (default 5)")->check(CLI::Range(1, 100));
+  app.add_option("--longest-s", options.longest_run,
+                 "Leave out methods that would run longer than this [s] (default 20)");
+  app.add_option("-o,--out", options.out, "Folder for CSV and pictures (default results/bench)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {
+    return app.exit(stop) == 0 ? done : wrong_input;
   }
-  for (const unsigned rings : {90U, 180U, 360U, 708U}) {
-    const auto facets = std::size_t{4} * rings * (rings - 1);
-    if (facets > most_facets) continue;
-    const auto of_sphere = take(fmt::format("bumpy sphere {}k", facets / 1000), lrcs::bench::bumpy_sphere(rings));
-    spheres.insert(spheres.end(), of_sphere.begin(), of_sphere.end());
-  }
-  if (!spheres.empty()) print_growth(spheres);
-  if (!out.empty()) write_csv(out, measured);
-  return agree(measured) ? 0 : 1;
+  Bench bench(options);
+  if (!options.only_sweeps || !options.targets.empty()) bench.measure_targets();
+  if (options.only_sweeps || options.targets.empty()) bench.measure_sweeps();
+  return !bench.agree() && options.is_short ? found_faults : done;
 }
 
 }  // namespace
+}  // namespace lrcs
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const lrcs::InputError& error) {
-    fmt::print(stderr, "lrcs_bench: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "lrcs_bench: {}\n", error.what());
-    return 1;
-  }
+int main(int argc, char** argv) try { return lrcs::run(argc, argv); } catch (const lrcs::InputError& wrong) {
+  std::fprintf(stderr, "lrcs_bench: %s\n", wrong.what());
+  return lrcs::wrong_input;
+} catch (const std::exception& failed) {
+  std::fprintf(stderr, "lrcs_bench: %s\n", failed.what());
+  return lrcs::could_not_finish;
 }

@@ -13,5 +13,5 @@ allow mesh 'base|mesh'
 allow lrcs 'base|brdf|mesh|lrcs'
 allow view 'base|mesh|view'
 allow cli 'base|brdf|mesh|lrcs|view|cli'
-allow bench 'base|brdf|mesh|lrcs|bench'
+allow bench 'base|brdf|mesh|lrcs|view|bench'
 exit $status

@@ -1,0 +1,139 @@
+#include "bench/work_precision_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "bench/method.h"
+#include "view/cartesian_frame.h"
+#include "view/plot_header.h"
+#include "view/ticks.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double milli = 1e3;  // ms a second
+
+double error_of(const Summary& s) {
+  return s.error.sigma_wu;
+}
+
+bool is_exact(const Summary& s) {
+  return s.family == exact_family || s.family == exact_to_sigma_family;
+}
+
+std::string decade_label(int exponent) {
+  if (exponent >= -2 && exponent <= 5) return number_label(std::pow(10.0, exponent), 6);
+  return "1e" + number_label(exponent, 3);
+}
+
+// Half a decade beyond the values; marks at the whole ones.
+Axis decades(const std::string& title, const std::vector<double>& values) {
+  const double clear = std::sqrt(10.0);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  Axis axis{title, *least / clear, *most * clear, {}, {}, true};
+  const int last = static_cast<int>(std::floor(std::log10(axis.high)));
+  for (int k = static_cast<int>(std::ceil(std::log10(axis.low))); k <= last; ++k) {
+    axis.marks.push_back(std::pow(10.0, k));
+    axis.labels.push_back(decade_label(k));
+  }
+  return axis;
+}
+
+// 2, 3 ... 9 in every decade of the axis.
+std::vector<double> between_marks(const Axis& axis) {
+  std::vector<double> values;
+  for (double decade = std::pow(10.0, std::floor(std::log10(axis.low))); decade < axis.high; decade *= 10.0)
+    for (int digit = 2; digit <= 9; ++digit)
+      if (digit * decade > axis.low && digit * decade < axis.high) values.push_back(digit * decade);
+  return values;
+}
+
+void rule_finely(Canvas& canvas, const CartesianFrame& frame) {
+  std::vector<std::vector<Point>> lines;
+  for (const double x : between_marks(frame.x)) lines.push_back({frame.at(x, frame.y.low), frame.at(x, frame.y.high)});
+  for (const double y : between_marks(frame.y)) lines.push_back({frame.at(frame.x.low, y), frame.at(frame.x.high, y)});
+  constexpr Colour pale{0.94, 0.94, 0.94};
+  canvas.strokes(lines, {pale, 1.0});
+}
+
+struct PlotCurve {
+  std::string family;
+  std::vector<Summary> points;
+};
+
+std::vector<PlotCurve> curves_of(const std::vector<Summary>& of_target) {
+  std::vector<PlotCurve> curves;
+  for (const Summary& s : of_target) {
+    if (is_exact(s) || error_of(s) <= 0.0) continue;
+    if (curves.empty() || curves.back().family != s.family) curves.push_back({s.family, {}});
+    curves.back().points.push_back(s);
+  }
+  return curves;
+}
+
+void draw_curve(Canvas& canvas, const CartesianFrame& frame, const PlotCurve& curve, const Pen& pen) {
+  constexpr double radius = 11.0;  // [pixel]
+  std::vector<Point> line;
+  for (const Summary& s : curve.points) line.push_back(frame.at(milli * s.seconds, error_of(s)));
+  canvas.line(line, pen);
+  for (const Point& p : line) canvas.disc(p, radius, pen.colour);
+}
+
+// Left of the coarsest and right of the finest; above or below, so that neighbouring curves' labels stay apart.
+void label_ends(Canvas& canvas, const CartesianFrame& frame, const PlotCurve& curve, const Colour& colour, bool above) {
+  constexpr double aside = 16.0;  // [pixel]
+  const auto label = [&](const Summary& s, AlignX align) {
+    const Point p = frame.at(milli * s.seconds, error_of(s));
+    const Point at{align == AlignX::left ? p.x + aside : p.x - aside, above ? p.y + aside : p.y - aside};
+    canvas.text(at, s.mark,
+                {.font = {30, false}, .colour = colour, .x = align, .y = above ? AlignY::baseline : AlignY::top});
+  };
+  label(curve.points.front(), AlignX::right);
+  if (curve.points.size() > 1) label(curve.points.back(), AlignX::left);
+}
+
+void draw_exact(Canvas& canvas, const CartesianFrame& frame, const Summary& exact, const Pen& pen) {
+  constexpr double barb = 22.0;  // [pixel]
+  const Point foot = frame.at(milli * exact.seconds, frame.y.low);
+  const Point top = frame.at(milli * exact.seconds, frame.y.high);
+  canvas.line({foot, top}, pen);
+  canvas.line({{foot.x - 0.6 * barb, foot.y + barb}, foot, {foot.x + 0.6 * barb, foot.y + barb}}, pen);
+}
+
+}  // namespace
+
+void draw_work_precision(const std::filesystem::path& png, const std::vector<Summary>& of_target,
+                         std::size_t directions) {
+  const auto curves = curves_of(of_target);
+  const auto exact = std::find_if(of_target.begin(), of_target.end(), is_exact);
+  assert(!curves.empty() && exact != of_target.end());
+  const Pen exact_pen{ink, 6.0};
+  std::vector<double> times{milli * exact->seconds}, errors;
+  PlotHeader header{
+      exact->target,
+      fmt::format("{} facets, monostatic, metal-skin-5p, one thread, {} directions", exact->facets, directions),
+      {{"exact", exact_pen}}};
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    header.legend.push_back({curves[k].family, curve_pen(k)});
+    for (const Summary& s : curves[k].points) {
+      times.push_back(milli * s.seconds);
+      errors.push_back(error_of(s));
+    }
+  }
+  Canvas canvas(1600, 1200);
+  const double top = draw_header(canvas, header);
+  const CartesianFrame frame = draw_cartesian_frame(canvas, top, decades("median time a direction [ms]", times),
+                                                    decades("relative error of sigma, root mean square", errors));
+  rule_finely(canvas, frame);
+  draw_exact(canvas, frame, *exact, exact_pen);
+  for (std::size_t k = curves.size(); k-- > 0;) draw_curve(canvas, frame, curves[k], curve_pen(k));
+  for (std::size_t k = 0; k < curves.size(); ++k) label_ends(canvas, frame, curves[k], curve_pen(k).colour, k % 2 == 0);
+  draw_outline(canvas, frame);
+  write_png(png, canvas.picture());
+}
+
+}  // namespace lrcs
