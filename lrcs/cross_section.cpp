@@ -6,42 +6,27 @@
 #include <variant>
 
 #include "base/compensated_sum.h"
+#include "lrcs/return_error.h"
 
 namespace lrcs {
 namespace {
 
-// Cosines below this may have either sign, by rounding of normal and direction.
-constexpr double doubtful_cosine = 16.0 * 0x1p-53;
-
-// For a facet that someone sees edge-on, as far as rounding can tell: the most that either side may return.
-template <class Pair>
-double largest_edge_on(const Pair& pair, const Vec3& n, const Vec3& wi, const Vec3& wr, Sides sides) {
-  double most = 0.0;
-  for (const double side : {1.0, -1.0}) {
-    if (side < 0.0 && sides == Sides::front) continue;
-    Vec3 m = side * n;
-    for (const Vec3& w : {wi, wr})
-      if (std::abs(m.dot(w)) <= doubtful_cosine) m += 2.0 * doubtful_cosine * w;
-    most = std::max(most, pair(m));
-  }
-  return most;
-}
-
-// f_r cos(theta_i) cos(theta_r) of every facet of one material, from the side that is seen; its largest value where the
-// facet is perhaps edge-on. Others are left alone.
+// f_r cos(theta_i) cos(theta_r) of every facet of one material that is seen, from the side that is seen; its largest
+// value where the facet is perhaps edge-on. Others are left alone.
 void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr,
              const std::vector<Estimate>& seen, std::vector<double>& out) {
+  if (returns_nothing(target.materials[material])) return;
   const bool retro = wi == wr;
   std::visit(
       [&](const auto& model) {
         const auto pair = model.for_pair(wi, wr);
         for (std::size_t k = 0; k < out.size(); ++k) {
-          if (target.material[k] != material) continue;
+          if (target.material[k] != material || (seen[k].value == 0.0 && seen[k].bound == 0.0)) continue;
           const Vec3& n = target.mesh.normals[k];
           const double cos_i = n.dot(wi);
           const bool perhaps_edge_on = seen[k].value == 0.0 && seen[k].bound == 1.0;
           if (perhaps_edge_on && !retro)
-            out[k] = largest_edge_on(pair, n, wi, wr, target.sides);
+            out[k] = largest_edge_on(pair, n, wi, wr, target.sides == Sides::front);
           else if (cos_i < 0.0 && target.sides == Sides::front)
             continue;
           else if (retro)
@@ -53,27 +38,20 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
       target.materials[material].brdf);
 }
 
-double pair_error(const Target& target, const Vec3& wi, const Vec3& wr) {
-  double most = 0.0;
-  for (const Material& m : target.materials)
-    most = std::max(most, std::visit([&](const auto& model) { return model.pair_error(wi, wr); }, m.brdf));
-  return most;
-}
-
-// Rounding of a model's value, relative: the angle's rounding counts 1/cos near grazing, the rest is a few dozen
-// operations and an exponent of up to a hundred. Held by CrossSection.BoundHoldsAgainstExtendedPrecision.
-constexpr double model_error = 512.0 * 0x1p-53;
-
 }  // namespace
 
 CrossSection cross_section(const Target& target, const Visibility& visibility, const Vec3& to_transmitter,
                            const Vec3& to_receiver) {
+  return cross_section(target, visibility.seen_fraction(to_transmitter, to_receiver), to_transmitter, to_receiver);
+}
+
+CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
+                           const Vec3& to_receiver) {
   const std::size_t facets = target.mesh.size();
   std::vector<double> reflected(facets, 0.0);
-  const auto seen = visibility.seen_fraction(to_transmitter, to_receiver);
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     reflect(target, m, to_transmitter, to_receiver, seen, reflected);
-  const double of_pair = pair_error(target, to_transmitter, to_receiver);
+  const double of_pair = pair_error(target.materials, to_transmitter, to_receiver);
 
   CrossSection result;
   result.facet_sigma.resize(facets);

@@ -37,4 +37,8 @@ struct CrossSection {
 [[nodiscard]] CrossSection cross_section(const Target& target, const Visibility& visibility, const Vec3& to_transmitter,
                                          const Vec3& to_receiver);
 
+// The same from seen fractions that are known: one a facet, as Visibility::seen_fraction() gives them.
+[[nodiscard]] CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen,
+                                         const Vec3& to_transmitter, const Vec3& to_receiver);
+
 }  // namespace lrcs

@@ -1,0 +1,54 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "base/vec3.h"
+#include "brdf/material.h"
+
+namespace lrcs {
+
+// What rounding makes of a facet's return: the parts of bound_m2 (docs/methods.md, section 6).
+
+// Cosines of size up to this may have either sign, by rounding of normal and direction.
+inline constexpr double doubtful_cosine = 16.0 * 0x1p-53;
+
+// No rounding: every term of the cosine is zero, as that of the exact normal is.
+[[nodiscard]] inline bool is_exactly_edge_on(const Vec3& n, const Vec3& w) {
+  return n.cwiseProduct(w).isZero(0.0);
+}
+
+// Rounding of a model's value, relative: the angle's rounding counts 1/cos near grazing, the rest is a few dozen
+// operations and an exponent of up to a hundred. Held by CrossSection.BoundHoldsAgainstExtendedPrecision.
+inline constexpr double model_error = 512.0 * 0x1p-53;
+
+// For a facet that someone sees edge-on, as far as rounding can tell: the most that either side may return [1/sr].
+// pair: a model's for_pair(wi, wr).
+template <class Pair>
+[[nodiscard]] double largest_edge_on(const Pair& pair, const Vec3& n, const Vec3& wi, const Vec3& wr, bool front_only) {
+  double most = 0.0;
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0.0 && front_only) continue;
+    Vec3 m = side * n;
+    for (const Vec3& w : {wi, wr})
+      if (std::abs(m.dot(w)) <= doubtful_cosine) m += 2.0 * doubtful_cosine * w;
+    most = std::max(most, pair(m));
+  }
+  return most;
+}
+
+// The largest BrdfModel::pair_error() among the materials [1].
+[[nodiscard]] inline double pair_error(const std::vector<Material>& materials, const Vec3& wi, const Vec3& wr) {
+  double most = 0.0;
+  for (const Material& m : materials)
+    most = std::max(most, std::visit([&](const auto& model) { return model.pair_error(wi, wr); }, m.brdf));
+  return most;
+}
+
+// Does the material return nothing, from whatever direction? It blocks all the same.
+[[nodiscard]] inline bool returns_nothing(const Material& material) {
+  return std::visit([](const auto& model) { return model.largest() == 0.0; }, material.brdf);
+}
+
+}  // namespace lrcs
