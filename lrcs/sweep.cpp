@@ -4,32 +4,142 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
+#include <span>
+
+#include "lrcs/convex_body.h"
+#include "lrcs/convexity.h"
+#include "lrcs/return_error.h"
+#include "lrcs/sweep_plan.h"
 
 namespace lrcs {
+namespace {
+
+class Sweep {
+ public:
+  Sweep(const Target& target, const std::vector<Aspect>& aspects, const SweepWatch& watch)
+      : target_(target), aspects_(aspects), watch_(watch), rows_(aspects.size()) {
+    for (std::size_t row = 0; row < aspects.size(); ++row)
+      wanted_.push_back(watch.wants_facets && watch.wants_facets(row));
+  }
+
+  // To be called where the threads allowed are.
+  std::vector<SweepRow> run() {
+    if (aspects_.empty()) return {};
+    convex_ = is_convex_body(target_.mesh);
+    plan();
+    if (convex_)
+      compute_convex();
+    else
+      visibility_.emplace(target_.mesh);
+    tbb::parallel_for(std::size_t{0}, alone_.size(), [this](std::size_t k) { compute(alone_[k]); });
+    copy_alike();
+    return std::move(rows_);
+  }
+
+  [[nodiscard]] const SkipCounts& skipped() const { return skipped_; }
+
+ private:
+  [[nodiscard]] bool is_copied(std::size_t row) const { return alike_[row] != row && !wanted_[row]; }
+
+  // Parts the rows into those computed each by itself, those of a convex body in batches, and copies.
+  void plan() {
+    alike_ = first_alike(aspects_, {});
+    for (std::size_t row = 0; row < aspects_.size(); ++row) {
+      if (is_copied(row)) continue;
+      (convex_ && !wanted_[row] ? batched_ : alone_).push_back(row);
+      const Aspect& aspect = aspects_[row];
+      ++(aspect.to_transmitter == aspect.to_receiver ? skipped_.monostatic_directions
+                                                     : skipped_.fixed_gamma_directions);
+    }
+    for (std::size_t f = 0; f < target_.mesh.size(); ++f)
+      if (returns_nothing(target_.materials[target_.material[f]])) ++skipped_.facets_without_return;
+  }
+
+  void compute(std::size_t row) {
+    const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
+    const CrossSection section = convex_ ? cross_section(target_, convex_seen_fraction(target_.mesh, di, dr), di, dr)
+                                         : cross_section(target_, *visibility_, di, dr);
+    const std::scoped_lock lock(watching_);
+    rows_[row] = {aspects_[row], section.sigma, section.seen_area};
+    if (wanted_[row]) watch_.facets(row, rows_[row], section);
+    tell_done();
+  }
+
+  void compute_convex() {
+    skipped_.convex_facets = target_.mesh.size();
+    if (batched_.empty()) return;
+    const ConvexBody body(target_);
+    std::vector<std::uint8_t> faced(body.blocks(), 0);
+    // Directions that pass together over a block while it is in the cache.
+    constexpr std::size_t most = 16;
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t batch = std::min(most, (batched_.size() + threads - 1) / threads);
+    const std::size_t batches = (batched_.size() + batch - 1) / batch;
+    tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t k) {
+      const auto rows = std::span(batched_).subspan(k * batch, std::min(batch, batched_.size() - k * batch));
+      compute_batch(body, rows, faced);
+    });
+    for (std::size_t b = 0; b < body.blocks(); ++b)
+      if (faced[b] == 0) skipped_.facets_never_faced += body.facets_of(b);
+  }
+
+  void compute_batch(const ConvexBody& body, std::span<const std::size_t> rows, std::vector<std::uint8_t>& faced) {
+    std::vector<Aspect> aspects;
+    for (const std::size_t row : rows) aspects.push_back(aspects_[row]);
+    std::vector<std::uint8_t> faced_now(body.blocks(), 0);
+    const auto sections = body.sections(aspects, faced_now);
+    const std::scoped_lock lock(watching_);
+    for (std::size_t b = 0; b < faced.size(); ++b) faced[b] |= faced_now[b];
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      rows_[rows[k]] = {aspects[k], sections[k].sigma, sections[k].seen_area};
+      tell_done();
+    }
+  }
+
+  void copy_alike() {
+    for (std::size_t row = 0; row < aspects_.size(); ++row) {
+      if (!is_copied(row)) continue;
+      const SweepRow& first = rows_[alike_[row]];
+      rows_[row] = {aspects_[row], first.sigma, first.seen_area};
+      ++skipped_.repeated_directions;
+      tell_done();
+    }
+  }
+
+  // In turn: with the lock, or when no other thread is left.
+  void tell_done() {
+    ++done_;
+    if (watch_.progress) watch_.progress(done_);
+  }
+
+  const Target& target_;
+  const std::vector<Aspect>& aspects_;
+  const SweepWatch& watch_;
+  std::vector<bool> wanted_;  // rows whose facets are
+  bool convex_ = false;
+  std::optional<Visibility> visibility_;
+  std::vector<std::size_t> alike_, alone_, batched_;
+  std::vector<SweepRow> rows_;
+  SkipCounts skipped_;
+  std::mutex watching_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
 
 std::vector<SweepRow> run_sweep(const Target& target, const std::vector<Aspect>& aspects, std::size_t threads,
-                                const SweepWatch& watch) {
-  std::vector<SweepRow> rows(aspects.size());
-  std::mutex watching;
-  std::size_t done = 0;
-  const auto one = [&](const Visibility& visibility, std::size_t k) {
-    const CrossSection section = cross_section(target, visibility, aspects[k].to_transmitter, aspects[k].to_receiver);
-    rows[k] = {aspects[k], section.sigma, section.seen_area};
-    const std::scoped_lock lock(watching);
-    if (watch.wants_facets && watch.wants_facets(k)) watch.facets(k, rows[k], section);
-    ++done;
-    if (watch.progress) watch.progress(done);
-  };
+                                const SweepWatch& watch, SkipCounts* skipped) {
+  Sweep sweep(target, aspects, watch);
+  std::vector<SweepRow> rows;
   // By itself TBB starts no more threads than there are cores.
   std::optional<tbb::global_control> allowed;
   if (threads != 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
-  arena.execute([&] {
-    const Visibility visibility(target.mesh);
-    tbb::parallel_for(std::size_t{0}, aspects.size(), [&](std::size_t k) { one(visibility, k); });
-  });
+  arena.execute([&] { rows = sweep.run(); });
+  if (skipped != nullptr) *skipped = sweep.skipped();
   return rows;
 }
 

@@ -1,7 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "base/vec3.h"
@@ -94,6 +98,35 @@ inline FacetMesh sphere(double radius, std::uint32_t rings) {
     profile.emplace_back(pole ? 0.0 : radius * std::sin(t), -radius * std::cos(t));
   }
   return revolved(profile, 2 * rings);
+}
+
+// An icosahedron in the unit sphere, each facet divided into four, `levels` times over: convex, every facet for itself.
+inline FacetMesh icosphere(int levels) {
+  const double g = 0.5 + 0.5 * std::sqrt(5.0);
+  std::vector<Vec3> at{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                       {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<std::array<std::uint32_t, 3>> facets{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                   {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                   {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                   {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  FacetMesh mesh;
+  for (const Vec3& p : at) add_vertex(mesh, p.normalized());
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), mesh.positions.size());
+      if (is_new) add_vertex(mesh, (mesh.positions[a] + mesh.positions[b]).normalized());
+      return found->second;
+    };
+    std::vector<std::array<std::uint32_t, 3>> finer;
+    for (const auto& [a, b, c] : facets) {
+      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const auto& f : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}) finer.push_back(f);
+    }
+    facets = std::move(finer);
+  }
+  for (const auto& [a, b, c] : facets) add_facet(mesh, a, b, c);
+  return mesh;
 }
 
 // Facets anywhere: open, interpenetrating, some sharing vertices.

@@ -1,0 +1,16 @@
+#pragma once
+#include "mesh/facet_mesh.h"
+
+namespace lrcs {
+
+// Is the mesh the whole surface of one convex body, its fronts outward? Then a viewer sees every facet that faces it,
+// whole, and no visibility need be sought.
+// Verified, not assumed: each edge has two facets that run against each other along it, neither with a vertex before
+// the other's plane; the vertices' mean is behind every facet; and a line of sight from there passes one facet (so that
+// the surface goes round it once). All sides of planes are decided exactly. Facets may be coplanar; those of area zero
+// are left out. law: true is certain; false may be said of a body so thin that its middle cannot be told from its
+// surface. cost: a non-convex target is mostly known by a few facets. source: K. Mehlhorn et al., Computational
+// Geometry 12, 85-103, 1999 (checking convexity by local tests and one ray).
+[[nodiscard]] bool is_convex_body(const FacetMesh& mesh);
+
+}  // namespace lrcs
