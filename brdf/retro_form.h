@@ -14,6 +14,11 @@ namespace lrcs {
 // tests/brdf/retro_form_test.cpp.
 inline constexpr double smallest_retro_cosine = 0x1p-44;
 
+// Of what returns nothing.
+struct BlackRetro {
+  [[nodiscard]] double operator()(double /*cosine*/) const { return 0.0; }
+};
+
 struct LambertRetro {
   double f;  // [1/sr]
 

@@ -84,7 +84,8 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
         {[&](std::size_t done) { bar.update(done); }, [&](std::size_t row) { return results.wants_facets(row); },
          [&](std::size_t row, const SweepRow& result, const CrossSection& section) {
            results.write_facets(row, result, section);
-         }});
+         }},
+        &facts.skipped);
   }
   facts.sweep_seconds = seconds_since(start);
   results.write_table(rows);

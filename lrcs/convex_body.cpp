@@ -115,7 +115,7 @@ struct ConvexBody::Sums {
           m.brdf));
   }
 
-  using Pair = std::variant<Black, PairOf<Lambert>, PairOf<Wu>>;
+  using Pair = std::variant<BlackRetro, PairOf<Lambert>, PairOf<Wu>>;
   bool monostatic;
   std::vector<Pair> pairs;  // bistatic: one a material
   CarriedLanes returned, seen, slope;
@@ -129,7 +129,9 @@ struct ConvexBody::Sums {
 };
 
 ConvexBody::ConvexBody(const Target& target) : target_(target) {
-  for (const std::uint32_t f : order_by_material_and_normal(target)) {
+  const auto order = order_by_material_and_normal(target);
+  blocks_.reserve(order.size() / block_facets + target.materials.size());
+  for (const std::uint32_t f : order) {
     const std::uint32_t material = target.material[f];
     if (blocks_.empty() || blocks_.back().facets == block_facets || blocks_.back().material != material)
       blocks_.emplace_back().material = material;
@@ -138,10 +140,10 @@ ConvexBody::ConvexBody(const Target& target) : target_(target) {
   for (const Material& m : target.materials)
     retro_.push_back(std::visit(
         [&](const auto& model) -> Retro {
-          if (returns_nothing(m)) return Black{};
+          if (returns_nothing(m)) return BlackRetro{};
           if (const auto form = retro_form(model)) return *form;
           if constexpr (std::is_same_v<decltype(model), const Wu&>) return &model;
-          return Black{};
+          return BlackRetro{};
         },
         m.brdf));
 }
@@ -149,16 +151,20 @@ ConvexBody::ConvexBody(const Target& target) : target_(target) {
 void ConvexBody::add_monostatic(const FacetBlock& block, const Vec3& d, LaneSums& sums) const {
   const Retro& retro = retro_[block.material];
   const bool all_lit = block.facets == block_facets && block.least(d) >= smallest_retro_cosine;
-  if (const auto* wu = std::get_if<WuRetro>(&retro)) return add_retro(block, d, all_lit, *wu, sums);
-  if (const auto* lambert = std::get_if<LambertRetro>(&retro)) return add_retro(block, d, all_lit, *lambert, sums);
-  if (const auto* model = std::get_if<const Wu*>(&retro)) return add_retro_one_by_one(block, d, **model, sums);
-  add_seen(block, {{}, {}, d, d}, sums);
+  std::visit(
+      [&](const auto& form) {
+        if constexpr (std::is_same_v<decltype(form), const Wu* const&>)
+          add_retro_one_by_one(block, d, *form, sums);
+        else
+          add_retro(block, d, all_lit, form, sums);
+      },
+      retro);
 }
 
 void ConvexBody::add_bistatic(const FacetBlock& block, const Aspect& aspect, Sums& sums, LaneSums& lanes) const {
   std::visit(
       [&](const auto& pair) {
-        if constexpr (std::is_same_v<decltype(pair), const Black&>)
+        if constexpr (std::is_same_v<decltype(pair), const BlackRetro&>)
           add_seen(block, aspect, lanes);
         else
           sums.edge_on += add_pair(block, aspect, pair, lanes);

@@ -35,9 +35,8 @@ class ConvexBody {
   [[nodiscard]] std::size_t facets_of(std::size_t block) const { return blocks_[block].facets; }
 
  private:
-  struct Black {};  // returns nothing
   struct Sums;
-  using Retro = std::variant<Black, LambertRetro, WuRetro, const Wu*>;
+  using Retro = std::variant<BlackRetro, LambertRetro, WuRetro, const Wu*>;
 
   void add_monostatic(const FacetBlock& block, const Vec3& d, LaneSums& sums) const;
   void add_bistatic(const FacetBlock& block, const Aspect& aspect, Sums& sums, LaneSums& lanes) const;

@@ -62,6 +62,17 @@ Json facets_json(const std::vector<FacetFile>& files) {
   return facets;
 }
 
+Json skipped_json(const SkipCounts& skipped) {
+  return {{"convex_facets", skipped.convex_facets},
+          {"facets_never_faced", skipped.facets_never_faced},
+          {"facets_without_return", skipped.facets_without_return},
+          {"repeated_directions", skipped.repeated_directions},
+          {"mirrored_directions", skipped.mirrored_directions},
+          {"mirror_planes", skipped.mirror_planes},
+          {"monostatic_directions", skipped.monostatic_directions},
+          {"fixed_gamma_directions", skipped.fixed_gamma_directions}};
+}
+
 }  // namespace
 
 std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts) {
@@ -83,6 +94,7 @@ std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const 
                   {"seconds", {{"read", facts.read_seconds}, {"sweep", facts.sweep_seconds}}},
                   {"outputs", outputs},
                   {"facets", facets_json(facts.facets)},
+                  {"skipped", skipped_json(facts.skipped)},
                   {"warnings", facts.warnings}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

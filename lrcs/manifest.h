@@ -5,6 +5,7 @@
 
 #include "lrcs/scene.h"
 #include "lrcs/scene_target.h"
+#include "lrcs/skips.h"
 
 namespace lrcs {
 
@@ -25,10 +26,11 @@ struct RunFacts {
   std::vector<std::string> warnings;
   std::vector<std::pair<std::string, std::string>> outputs;  // file name, SHA-256
   std::vector<FacetFile> facets;
+  SkipCounts skipped;
 };
 
 // The content of manifest.json: inputs with digests, version, command, what was repaired, materials, conventions,
-// times, outputs with digests, the direction of every facet file, warnings.
+// times, outputs with digests, the direction of every facet file, what was skipped, warnings.
 [[nodiscard]] std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts);
 
 }  // namespace lrcs

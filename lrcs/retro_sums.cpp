@@ -57,6 +57,15 @@ LRCS_WIDE void add_any_lambert(In nx, In ny, In nz, In area, double dx, double d
   add_any(nx, ny, nz, area, dx, dy, dz, form, returned, seen, slope);
 }
 
+LRCS_WIDE void add_lit_black(In nx, In ny, In nz, In area, double dx, double dy, double dz, const BlackRetro& form,
+                             Out returned, Out seen, Out slope) {
+  add_lit(nx, ny, nz, area, dx, dy, dz, form, returned, seen, slope);
+}
+LRCS_WIDE void add_any_black(In nx, In ny, In nz, In area, double dx, double dy, double dz, const BlackRetro& form,
+                             Out returned, Out seen, Out slope) {
+  add_any(nx, ny, nz, area, dx, dy, dz, form, returned, seen, slope);
+}
+
 template <class Version, class Form>
 void call(Version version, const FacetBlock& block, const Vec3& d, const Form& form, LaneSums& sums) {
   version(block.nx.data(), block.ny.data(), block.nz.data(), block.area.data(), d.x(), d.y(), d.z(), form,
@@ -71,6 +80,10 @@ void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const WuRet
 
 void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const LambertRetro& form, LaneSums& sums) {
   call(all_lit ? add_lit_lambert : add_any_lambert, block, d, form, sums);
+}
+
+void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const BlackRetro& form, LaneSums& sums) {
+  call(all_lit ? add_lit_black : add_any_black, block, d, form, sums);
 }
 
 }  // namespace lrcs

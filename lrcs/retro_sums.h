@@ -13,5 +13,6 @@ namespace lrcs {
 //   smallest_retro_cosine x slope; of others the cosine counts as it is.
 void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const WuRetro& form, LaneSums& sums);
 void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const LambertRetro& form, LaneSums& sums);
+void add_retro(const FacetBlock& block, const Vec3& d, bool all_lit, const BlackRetro& form, LaneSums& sums);
 
 }  // namespace lrcs

@@ -11,6 +11,7 @@
 
 #include "lrcs/convex_body.h"
 #include "lrcs/convexity.h"
+#include "lrcs/mirror_planes.h"
 #include "lrcs/return_error.h"
 #include "lrcs/sweep_plan.h"
 
@@ -29,11 +30,9 @@ class Sweep {
   std::vector<SweepRow> run() {
     if (aspects_.empty()) return {};
     convex_ = is_convex_body(target_.mesh);
+    if (!convex_) visibility_.emplace(target_.mesh);
     plan();
-    if (convex_)
-      compute_convex();
-    else
-      visibility_.emplace(target_.mesh);
+    if (convex_) compute_convex();
     tbb::parallel_for(std::size_t{0}, alone_.size(), [this](std::size_t k) { compute(alone_[k]); });
     copy_alike();
     return std::move(rows_);
@@ -46,7 +45,7 @@ class Sweep {
 
   // Parts the rows into those computed each by itself, those of a convex body in batches, and copies.
   void plan() {
-    alike_ = first_alike(aspects_, {});
+    find_alike();
     for (std::size_t row = 0; row < aspects_.size(); ++row) {
       if (is_copied(row)) continue;
       (convex_ && !wanted_[row] ? batched_ : alone_).push_back(row);
@@ -56,6 +55,21 @@ class Sweep {
     }
     for (std::size_t f = 0; f < target_.mesh.size(); ++f)
       if (returns_nothing(target_.materials[target_.material[f]])) ++skipped_.facets_without_return;
+  }
+
+  // Symmetry is not sought for a convex target: that takes longer than what it could save.
+  void find_alike() {
+    alike_ = first_alike(aspects_, {});
+    for (std::size_t row = 0; row < alike_.size(); ++row)
+      if (is_copied(row)) ++skipped_.repeated_directions;
+    if (convex_) return;
+    const MirrorPlanes planes = mirror_planes(target_, planes_of_use(aspects_), visibility_->coincident_facets());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (planes[axis]) skipped_.mirror_planes += "xyz"[axis];
+    alike_ = first_alike(aspects_, planes);
+    for (std::size_t row = 0; row < alike_.size(); ++row)
+      if (is_copied(row)) ++skipped_.mirrored_directions;
+    skipped_.mirrored_directions -= skipped_.repeated_directions;
   }
 
   void compute(std::size_t row) {
@@ -104,7 +118,6 @@ class Sweep {
       if (!is_copied(row)) continue;
       const SweepRow& first = rows_[alike_[row]];
       rows_[row] = {aspects_[row], first.sigma, first.seen_area};
-      ++skipped_.repeated_directions;
       tell_done();
     }
   }

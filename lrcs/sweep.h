@@ -24,10 +24,10 @@ struct SweepWatch {
 };
 
 // The cross section at every aspect, in the order given. Parallel over aspects.
-// What need not be done is skipped (lrcs/skips.h): a convex target's visibility, and rows with an earlier row's
-// directions. A row whose facets are wanted is computed by itself.
-// What a watcher throws ends the sweep and comes out here.
-// law: the same bytes for any number of threads (0: all there are).
+// What need not be done is skipped (lrcs/skips.h): a convex target's visibility; rows with an earlier row's directions,
+// or with their images where the target is symmetric: they get its numbers. A row whose facets are wanted is computed
+// by itself. What a watcher throws ends the sweep and comes out here. law: the same bytes for any number of threads (0:
+// all there are).
 [[nodiscard]] std::vector<SweepRow> run_sweep(const Target& target, const std::vector<Aspect>& aspects,
                                               std::size_t threads, const SweepWatch& watch = {},
                                               SkipCounts* skipped = nullptr);

@@ -1,7 +1,7 @@
 #include "lrcs/sweep_plan.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace lrcs {
 namespace {
@@ -32,12 +32,35 @@ Coordinates representative(const Aspect& aspect, const MirrorPlanes& planes) {
 }  // namespace
 
 std::vector<std::size_t> first_alike(const std::vector<Aspect>& aspects, const MirrorPlanes& planes) {
-  std::map<Coordinates, std::size_t> first;
-  std::vector<std::size_t> alike;
-  alike.reserve(aspects.size());
-  for (std::size_t k = 0; k < aspects.size(); ++k)
-    alike.push_back(first.try_emplace(representative(aspects[k], planes), k).first->second);
+  std::vector<std::pair<Coordinates, std::size_t>> sorted;
+  sorted.reserve(aspects.size());
+  for (std::size_t k = 0; k < aspects.size(); ++k) sorted.emplace_back(representative(aspects[k], planes), k);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::size_t> alike(aspects.size());
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    if (sorted[k].first != sorted[first].first) first = k;
+    alike[sorted[k].second] = sorted[first].second;
+  }
   return alike;
+}
+
+MirrorPlanes planes_of_use(const std::vector<Aspect>& aspects) {
+  const auto different = [&](const MirrorPlanes& planes) {
+    const auto alike = first_alike(aspects, planes);
+    std::size_t rows = 0;
+    for (std::size_t k = 0; k < alike.size(); ++k) rows += alike[k] == k ? 1 : 0;
+    return rows;
+  };
+  constexpr MirrorPlanes all{true, true, true};
+  const std::size_t fewest = different(all);
+  MirrorPlanes of_use{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    MirrorPlanes others = all;
+    others[axis] = false;
+    of_use[axis] = different(others) > fewest;
+  }
+  return of_use;
 }
 
 }  // namespace lrcs

@@ -14,4 +14,7 @@ using MirrorPlanes = std::array<bool, 3>;
 // there is none. Directions are the same where all their coordinates are equal, exactly. shape: one an aspect.
 [[nodiscard]] std::vector<std::size_t> first_alike(const std::vector<Aspect>& aspects, const MirrorPlanes& planes);
 
+// The planes that would make more rows alike, if the target is symmetric in all of them.
+[[nodiscard]] MirrorPlanes planes_of_use(const std::vector<Aspect>& aspects);
+
 }  // namespace lrcs

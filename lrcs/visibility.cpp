@@ -140,4 +140,14 @@ std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_trans
   return fraction;
 }
 
+std::vector<std::array<std::uint32_t, 2>> Visibility::coincident_facets() const {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const auto& original = surface_->occluders.original;
+  for (std::uint32_t f = 0; f < surface_->occluders.size(); ++f) {
+    if (!surface_->contacts.any(f)) continue;
+    for (const std::uint32_t other : surface_->contacts.of(f).coplanar) pairs.push_back({original[f], original[other]});
+  }
+  return pairs;
+}
+
 }  // namespace lrcs

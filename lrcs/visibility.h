@@ -1,6 +1,7 @@
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -46,6 +47,10 @@ class Visibility {
   // The same by clipping every facet: slow, the oracle for tests.
   [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,
                                                                 const Vec3& to_receiver) const;
+
+  // Pairs of facets that lie in one plane, one on the other or nearly so, as numbers of the mesh: only there does the
+  // result hang on the order of facets.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> coincident_facets() const;
 
  private:
   struct Scratch;  // a thread's memory, used again from direction to direction

@@ -211,6 +211,8 @@ TEST_F(Sweep, ListsInputsAndOutputsWithTheirDigests) {
   EXPECT_EQ(json["target"]["repaired"]["welded_vertices"], 56);
   EXPECT_EQ(json["command"], Json({"lrcs", "sweep", "scene.yaml", "-o", "out", "-t", "2"}));
   EXPECT_EQ(json["directions"], 5);
+  EXPECT_EQ(json["skipped"]["monostatic_directions"], 5);
+  EXPECT_EQ(json["skipped"]["convex_facets"], 0);
   EXPECT_EQ(json["accuracy"], "exact");
   std::vector<std::string> names;
   for (const auto& output : json["outputs"]) {

@@ -163,6 +163,7 @@ TEST(RetroSums, AreTheSameBytesAsOneByOne) {
     }
     expect_same_bytes(block, d, *retro_form(std::get<Wu>(library("metal-skin-9p"))));
     expect_same_bytes(block, d, *retro_form(Lambert(0.3)));
+    expect_same_bytes(block, d, BlackRetro());
     for (std::size_t k = 0; k < block_facets; ++k) {
       EXPECT_LE(block.least(d), block.cosine(k, d));
       EXPECT_GE(block.most(d), block.cosine(k, d));
