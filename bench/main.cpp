@@ -85,7 +85,7 @@ class Bench {
     print("\n");
     const bool s = options_.is_short;
     print(thread_scaling(s ? 20 : 100, s ? 1 : 3));
-    print(convex_sweep_speed(s ? 6 : 8, 8, s ? 1 : 3));
+    print(convex_sweep_speed(s ? 6 : 8, s ? 720 : 1440, s ? 1 : 3));
   }
 
   // Whether all methods agree as far as they should; prints where not.
