@@ -51,18 +51,20 @@ void add_exact(Methods& methods, const FacetMesh& mesh) {
   methods.deviation = [state](const Vec3& d) { return one_ray_deviation(state->target.mesh, values(state->seen), d); };
   const auto allowed = [](double /*deviation*/) { return 1e-9; };
   methods.all.push_back({exact_family, "exact: seen fractions", "", 1.0,
-                         [state](const Vec3& d) { state->seen = state->visibility->seen_fraction(d, d); },
+                         [state](const Vec3& d) { state->visibility->seen_fraction(d, d, state->seen); },
                          [state](const Vec3& d) { return seen_sums(state->target.mesh, values(state->seen), d); },
                          allowed});
-  methods.all.push_back(
-      {exact_to_sigma_family, "exact: cross section", "", 1.0,
-       [state](const Vec3& d) { state->section = cross_section(state->target, *state->visibility, d, d); },
-       [state](const Vec3& d) {
-         SeenSums sums = seen_sums(state->target.mesh, state->section.seen_fraction, d);
-         sums.sigma_wu = state->section.sigma.value;
-         return sums;
-       },
-       allowed});
+  methods.all.push_back({exact_to_sigma_family, "exact: cross section", "", 1.0,
+                         [state](const Vec3& d) {
+                           state->visibility->seen_fraction(d, d, state->seen);
+                           cross_section(state->target, state->seen, d, d, state->section);
+                         },
+                         [state](const Vec3& d) {
+                           SeenSums sums = seen_sums(state->target.mesh, state->section.seen_fraction, d);
+                           sums.sigma_wu = state->section.sigma.value;
+                           return sums;
+                         },
+                         allowed});
 }
 
 // Six deviations, as if rays were not stratified; and what floats and touching facets may cost.

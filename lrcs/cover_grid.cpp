@@ -69,7 +69,7 @@ class FacetInCells {
 void CoverGrid::find(const Surface& surface, const ViewOutline& view) {
   cells_.clear();
   // Where outlines are few, few facets are cut by any, and this would take longer than it saves.
-  constexpr std::size_t few = 32;
+  constexpr std::size_t few = 24;
   if (few * view.edges().size() < surface.occluders.size()) return;
   lay_out(view, surface);
   list_items(surface, view);

@@ -47,22 +47,29 @@ CrossSection cross_section(const Target& target, const Visibility& visibility, c
 
 CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
                            const Vec3& to_receiver) {
+  CrossSection result;
+  cross_section(target, seen, to_transmitter, to_receiver, result);
+  return result;
+}
+
+void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
+                   const Vec3& to_receiver, CrossSection& result) {
   const std::size_t facets = target.mesh.size();
-  std::vector<double> reflected(facets, 0.0);
+  auto& reflected = result.facet_sigma;
+  reflected.assign(facets, 0.0);
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     reflect(target, m, to_transmitter, to_receiver, seen, reflected);
   const double of_pair = pair_error(target.materials, to_transmitter, to_receiver);
 
-  CrossSection result;
-  result.facet_sigma.resize(facets);
   result.seen_fraction.resize(facets);
   CompensatedSum sigma, bound, seen_area;
   for (std::size_t k = 0; k < facets; ++k) {
+    result.seen_fraction[k] = seen[k].value;
+    if (seen[k].value == 0.0 && reflected[k] == 0.0) continue;
     const double cos_i = target.mesh.normals[k].dot(to_transmitter);
     const double cos_r = target.mesh.normals[k].dot(to_receiver);
     const double area = target.mesh.areas[k];
     const double full = 4.0 * std::numbers::pi * area * reflected[k];
-    result.seen_fraction[k] = seen[k].value;
     result.facet_sigma[k] = full * seen[k].value;
     sigma.add(result.facet_sigma[k]);
     seen_area.add(area * seen[k].value * std::abs(cos_r));
@@ -72,7 +79,6 @@ CrossSection cross_section(const Target& target, const std::vector<Estimate>& se
   }
   result.sigma = {sigma.value(), bound.value()};
   result.seen_area = seen_area.value();
-  return result;
 }
 
 }  // namespace lrcs

@@ -40,5 +40,7 @@ struct CrossSection {
 // The same from seen fractions that are known: one a facet, as Visibility::seen_fraction() gives them.
 [[nodiscard]] CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen,
                                          const Vec3& to_transmitter, const Vec3& to_receiver);
+void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
+                   const Vec3& to_receiver, CrossSection& result);
 
 }  // namespace lrcs

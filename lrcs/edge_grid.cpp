@@ -45,18 +45,18 @@ void EdgeGrid::fill(const std::vector<OutlineEdge>& edges, double rounding) {
   for (const OutlineEdge& e : edges)
     grid_.visit_line(e.at_low, e.at_high, rounding, [&](std::size_t cell) { ++begins_[cell + 1]; });
   for (std::size_t k = 0; k < cells; ++k) begins_[k + 1] += begins_[k];
-  edges_.resize(begins_[cells]);
+  ends_.resize(begins_[cells]);
+  each_.resize(edges.size());
   next_.assign(begins_.begin(), begins_.end() - 1);
-  all_.clear();
+  near_.assign(cells, -std::numeric_limits<float>::infinity());
   for (std::uint32_t k = 0; k < edges.size(); ++k) {
     const OutlineEdge& e = edges[k];
-    const auto [x0, x1] = std::minmax(e.at_low.x(), e.at_high.x());
-    const auto [y0, y1] = std::minmax(e.at_low.y(), e.at_high.y());
-    const double near = std::max(e.at_low.z(), e.at_high.z());
-    const Entry entry{float_below(x0 - rounding), float_above(x1 + rounding),   float_below(y0 - rounding),
-                      float_above(y1 + rounding), float_above(near + rounding), k};
-    all_.push_back(entry);
-    grid_.visit_line(e.at_low, e.at_high, rounding, [&](std::size_t cell) { edges_[next_[cell]++] = entry; });
+    each_.put(k, e, k);
+    const float near = float_above(std::max(e.at_low.z(), e.at_high.z()) + rounding);
+    grid_.visit_line(e.at_low, e.at_high, rounding, [&](std::size_t cell) {
+      ends_.put(next_[cell]++, e, k);
+      near_[cell] = std::max(near_[cell], near);
+    });
   }
   const auto across = static_cast<std::size_t>(grid_.columns) + 1;
   filled_before_.assign(across * (static_cast<std::size_t>(grid_.rows) + 1), 0);
@@ -91,8 +91,8 @@ EdgeGrid::Cells EdgeGrid::cells(double x0, double x1, double y0, double y1) cons
 std::size_t EdgeGrid::entries(const Cells& c) const {
   std::size_t count = 0;
   for (int row = c.y0; row <= c.y1; ++row) {
-    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns);
-    count += begins_[first + static_cast<std::size_t>(c.x1) + 1] - begins_[first + static_cast<std::size_t>(c.x0)];
+    const Run run_of_row = run(row, c.x0, c.x1);
+    count += run_of_row.last - run_of_row.first;
   }
   return count;
 }
@@ -103,6 +103,13 @@ bool EdgeGrid::any(const Cells& c) const {
     return filled_before_[static_cast<std::size_t>(row) * across + static_cast<std::size_t>(column)];
   };
   return sum(c.x1 + 1, c.y1 + 1) + sum(c.x0, c.y0) != sum(c.x0, c.y1 + 1) + sum(c.x1 + 1, c.y0);
+}
+
+bool EdgeGrid::any_before(const Cells& c, double z) const {
+  bool any = false;
+  for (int row = c.y0; row <= c.y1 && !any; ++row)
+    for (int column = c.x0; column <= c.x1; ++column) any = any || near_[grid_.cell(column, row)] >= z;
+  return any;
 }
 
 }  // namespace lrcs

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lrcs/cell_grid.h"
+#include "lrcs/edge_sieve.h"
 #include "lrcs/view_outline.h"
 
 namespace lrcs {
@@ -18,21 +18,22 @@ class EdgeGrid {
     int x0, x1, y0, y1;
   };
   [[nodiscard]] Cells cells(double x0, double x1, double y0, double y1) const;
-  // An edge in a cell: its box across the view and its largest z, widened by the rounding, and its number.
-  struct Entry {
-    float x0, x1, y0, y1, near;
-    std::uint32_t edge;
+  // The edges in cells [x0, x1] of a row, those of one cell after those of another: places [first, last) of ends().
+  struct Run {
+    std::size_t first, last;
   };
-  [[nodiscard]] std::span<const Entry> edges_in(int column, int row) const {
-    const std::size_t cell = grid_.cell(column, row);
-    return std::span(edges_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
+  [[nodiscard]] Run run(int row, int x0, int x1) const {
+    return {begins_[grid_.cell(x0, row)], begins_[grid_.cell(x1, row) + 1]};
   }
+  [[nodiscard]] const EdgeEnds& ends() const { return ends_; }
   // All edges, each once.
-  [[nodiscard]] const std::vector<Entry>& edges() const { return all_; }
+  [[nodiscard]] const EdgeEnds& each() const { return each_; }
   // How many entries the cells have together.
   [[nodiscard]] std::size_t entries(const Cells& cells) const;
   // Does any cell hold an edge?
   [[nodiscard]] bool any(const Cells& cells) const;
+  // Does any cell hold an edge that may reach as near as z?
+  [[nodiscard]] bool any_before(const Cells& cells, double z) const;
 
  private:
   void lay_out(const std::vector<OutlineEdge>& edges, double rounding);
@@ -41,7 +42,8 @@ class EdgeGrid {
 
   CellGrid grid_;
   std::vector<std::uint32_t> begins_, next_;
-  std::vector<Entry> edges_, all_;
+  EdgeEnds ends_, each_;
+  std::vector<float> near_;                   // of each cell
   std::vector<std::uint32_t> filled_before_;  // summed over the cells left of and below
 };
 

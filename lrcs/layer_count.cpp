@@ -53,6 +53,9 @@ double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double toler
   tolerance_ = tolerance;
   layers_at_left_ = layers_at_left;
   negative_area_ = 0.0;
+  int least = layers_at_left;  // if all that take layers away did so at once
+  for (const LayerEdge& e : edges) least += std::min(0, e.step);
+  if (least > 0) return 0.0;
   take_edges(edges);
   place_.resize(edges_.size());
   double area = 0.0;

@@ -7,12 +7,12 @@
 namespace lrcs {
 
 void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
-  grid_.fill(view_.edges(), view_.rounding());
-  stamp_.assign(view_.edges().size(), 0);
-  last_stamp_ = 0;
   states_.resize(wanted.size());
   for (std::size_t f = 0; f < wanted.size(); ++f) states_[f] = {wanted[f] != 0 ? unknown : not_wanted, none};
   hidden_ = queries_ = 0;
+  grid_.fill(view_.edges(), view_.rounding());
+  stamp_.assign(view_.edges().size(), 0);
+  last_stamp_ = 0;
   cover_.find(surface_, view_);
   find_cuts();
   // Facets that no outline cuts are the better places to start.
@@ -73,31 +73,42 @@ bool LayerWalk::cut(std::uint32_t facet) {
   const double rounding = view_.rounding();
   const auto cells =
       grid_.cells(seen.left - rounding, seen.right + rounding, seen.bottom - rounding, seen.top + rounding);
-  if (!grid_.any(cells)) return begun && !cut_.empty();
-  sight_.look_at(seen, ids, rounding);
+  if (!grid_.any(cells) || !grid_.any_before(cells, seen.far)) return begun && !cut_.empty();
+  sift(seen, cells);
+  if (!found_.empty()) sight_.look_at(seen, ids, rounding);
   ++last_stamp_;
-  const auto consider = [&](std::span<const EdgeGrid::Entry> entries) {
-    for (const EdgeGrid::Entry& entry : entries) {
-      // The edges' boxes are widened by the rounding of both.
-      const int apart = (entry.near < seen.far ? 1 : 0) | (entry.x0 > seen.right ? 1 : 0) |
-                        (entry.x1 < seen.left ? 1 : 0) | (entry.y0 > seen.top ? 1 : 0) |
-                        (entry.y1 < seen.bottom ? 1 : 0);
-      if (apart != 0 || stamp_[entry.edge] == last_stamp_) continue;
-      stamp_[entry.edge] = last_stamp_;
-      const OutlineEdge& edge = view_.edges()[entry.edge];
-      if (sight_.certainly_passes_by(edge)) continue;
-      begin();
-      cut_.add_outline(edge);
-    }
-  };
-  // An edge stands in each cell that it passes: under a large facet it is quicker to look at each edge once.
-  if (grid_.entries(cells) >= grid_.edges().size()) {
-    consider(grid_.edges());
-  } else {
-    for (int row = cells.y0; row <= cells.y1; ++row)
-      for (int column = cells.x0; column <= cells.x1; ++column) consider(grid_.edges_in(column, row));
+  for (const std::uint32_t e : found_) {
+    if (stamp_[e] == last_stamp_) continue;
+    stamp_[e] = last_stamp_;
+    const OutlineEdge& edge = view_.edges()[e];
+    if (sight_.certainly_passes_by(edge)) continue;
+    begin();
+    cut_.add_outline(edge);
   }
   return begun && !cut_.empty();
+}
+
+// Fills found_ with the edges that may run over the facet, some perhaps more than once.
+void LayerWalk::sift(const SeenFacet& seen, const EdgeGrid::Cells& cells) {
+  found_.clear();
+  const double rounding = view_.rounding(), reach = 2.0 * surface_.tree.reach();
+  const std::size_t entries = grid_.entries(cells);
+  constexpr std::size_t few = 24;
+  if (entries <= few) {
+    sieve_.look_at_box(seen, rounding, reach);
+    for (int row = cells.y0; row <= cells.y1; ++row) {
+      const auto [first, last] = grid_.run(row, cells.x0, cells.x1);
+      sieve_.sift_boxes(grid_.ends(), first, last, found_);
+    }
+    return;
+  }
+  sieve_.look_at(seen, rounding, reach);
+  // An edge stands in each cell that it passes: under a large facet it is quicker to look at each edge once.
+  if (entries >= view_.edges().size()) return sieve_.sift(grid_.each(), 0, view_.edges().size(), found_);
+  for (int row = cells.y0; row <= cells.y1; ++row) {
+    const auto [first, last] = grid_.run(row, cells.x0, cells.x1);
+    sieve_.sift(grid_.ends(), first, last, found_);
+  }
 }
 
 void LayerWalk::keep_cut(std::uint32_t facet) {

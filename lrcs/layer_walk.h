@@ -7,6 +7,7 @@
 
 #include "lrcs/cover_grid.h"
 #include "lrcs/edge_grid.h"
+#include "lrcs/edge_sieve.h"
 #include "lrcs/facet_cut.h"
 #include "lrcs/facet_sight.h"
 #include "lrcs/layer_query.h"
@@ -75,6 +76,7 @@ class LayerWalk {
   bool is_covered(std::uint32_t facet);
   // Fills cut_ with all that runs in front of the facet. False: nothing does.
   bool cut(std::uint32_t facet);
+  void sift(const SeenFacet& seen, const EdgeGrid::Cells& cells);
   void keep_cut(std::uint32_t facet);
   // Many outlines over a facet are not kept where they leave nothing of it to be seen.
   [[nodiscard]] bool is_hidden_by_many(std::uint32_t facet);
@@ -92,9 +94,11 @@ class LayerWalk {
   ViewOutline view_;
   CoverGrid cover_;
   EdgeGrid grid_;
+  EdgeSieve sieve_;
   FacetSight sight_;
   FacetCut cut_;
   LayerCount count_;
+  std::vector<std::uint32_t> found_;  // outline edges that the sieve lets through
   std::vector<std::uint32_t> stamp_;  // of outline edges: the last cut that looked at it
   std::uint32_t last_stamp_ = 0;
   std::vector<State> states_;

@@ -1,5 +1,6 @@
 #include "lrcs/sweep.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -74,8 +75,12 @@ class Sweep {
 
   void compute(std::size_t row) {
     const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
-    const CrossSection section = convex_ ? cross_section(target_, convex_seen_fraction(target_.mesh, di, dr), di, dr)
-                                         : cross_section(target_, *visibility_, di, dr);
+    auto& [seen, section] = memory_.local();
+    if (convex_)
+      seen = convex_seen_fraction(target_.mesh, di, dr);
+    else
+      visibility_->seen_fraction(di, dr, seen);
+    cross_section(target_, seen, di, dr, section);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
     if (wanted_[row]) watch_.facets(row, rows_[row], section);
@@ -134,6 +139,11 @@ class Sweep {
   std::vector<bool> wanted_;  // rows whose facets are
   bool convex_ = false;
   std::optional<Visibility> visibility_;
+  struct Memory {  // of a thread
+    std::vector<Estimate> seen;
+    CrossSection section;
+  };
+  tbb::enumerable_thread_specific<Memory> memory_;
   std::vector<std::size_t> alike_, alone_, batched_;
   std::vector<SweepRow> rows_;
   SkipCounts skipped_;

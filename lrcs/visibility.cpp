@@ -101,6 +101,13 @@ Visibility::~Visibility() = default;
 
 std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                 VisibilityCost* cost) const {
+  std::vector<Estimate> fraction;
+  seen_fraction(to_transmitter, to_receiver, fraction, cost);
+  return fraction;
+}
+
+void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
+                               VisibilityCost* cost) const {
   std::unique_ptr<Scratch>& scratch = scratch_.local();
   if (!scratch) scratch = std::make_unique<Scratch>(*surface_);
   scratch->look_along(to_transmitter, to_receiver);
@@ -110,7 +117,7 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
     spent.hidden += scratch->walks[k].hidden_facets();
     spent.queries += scratch->walks[k].queries();
   }
-  std::vector<Estimate> fraction(facets_);
+  fraction.assign(facets_, {});
   const auto& occluders = surface_->occluders;
   for (std::uint32_t f = 0; f < occluders.size(); ++f) {
     Estimate& of_facet = fraction[occluders.original[f]];
@@ -128,7 +135,6 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
     }
   }
   if (cost != nullptr) *cost = spent;
-  return fraction;
 }
 
 std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_transmitter, const Vec3& to_receiver) const {

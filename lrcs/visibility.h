@@ -43,6 +43,9 @@ class Visibility {
   // fraction 0. Safe to call from several threads at once; the result does not depend on their number.
   [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                     VisibilityCost* cost = nullptr) const;
+  // Into memory that is there already: for many facets it takes long to be had anew.
+  void seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
+                     VisibilityCost* cost = nullptr) const;
 
   // The same by clipping every facet: slow, the oracle for tests.
   [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,
