@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/embree_scene.h"
+#include "lrcs/embree_scene.h"
 
 namespace lrcs {
 

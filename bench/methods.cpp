@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "bench/embree_rays.h"
 #include "bench/method.h"
@@ -11,6 +12,7 @@
 #include "bench/z_buffer.h"
 #include "brdf/library.h"
 #include "lrcs/cross_section.h"
+#include "lrcs/sampled_sections.h"
 
 namespace lrcs {
 namespace {
@@ -34,17 +36,17 @@ std::vector<double> values(const std::vector<Estimate>& estimates) {
 }
 
 struct Exact {
-  std::unique_ptr<Visibility> visibility;
+  std::shared_ptr<Visibility> visibility;
   std::vector<Estimate> seen;
   Target target;
   CrossSection section;
 };
 
 // The seen fraction of every facet; and beside it the whole way to sigma and its bound, for one material.
-void add_exact(Methods& methods, const FacetMesh& mesh) {
+std::shared_ptr<Visibility> add_exact(Methods& methods, const FacetMesh& mesh) {
   const auto state = std::make_shared<Exact>();
   methods.built.push_back(building(
-      "exact", [&] { state->visibility = std::make_unique<Visibility>(mesh); },
+      "exact", [&] { state->visibility = std::make_shared<Visibility>(mesh); },
       [&] { state->seen = state->visibility->seen_fraction(first_look, first_look); }));
   state->target = {mesh, {*find_in_library("metal-skin-5p")}, {}, Sides::front};
   state->target.material.assign(mesh.size(), 0);
@@ -65,6 +67,7 @@ void add_exact(Methods& methods, const FacetMesh& mesh) {
                            return sums;
                          },
                          allowed});
+  return state->visibility;
 }
 
 // Six deviations, as if rays were not stratified; and what floats and touching facets may cost.
@@ -110,6 +113,36 @@ void add_embree(Methods& methods, const FacetMesh& mesh, const Fineness& finenes
                            allowed_of_grid(size)});
 }
 
+struct Relative {
+  Target target;
+  std::unique_ptr<SampledSections> sampled;
+  std::optional<SampledSection> section;
+  CrossSection exact;  // where there is no section
+};
+
+// What `accuracy: {relative: r}` takes: a grid of rays, or the exact way. Sums other than sigma of metal-skin-5p are
+// not what it aims at, and count as found.
+void add_relative(Methods& methods, const FacetMesh& mesh, const std::shared_ptr<Visibility>& visibility) {
+  for (const double relative : {1e-2, 1e-3, 1e-4}) {
+    const auto state = std::make_shared<Relative>();
+    state->target = {
+        mesh, {*find_in_library("metal-skin-5p")}, std::vector<std::uint32_t>(mesh.size(), 0), Sides::front};
+    if (SampledSections::may_pay(state->target, relative))
+      state->sampled = std::make_unique<SampledSections>(state->target, relative);
+    methods.all.push_back({fmt::format("relative {:g}", relative), fmt::format("relative {:g}", relative), "", 1.0,
+                           [state, visibility](const Vec3& d) {
+                             state->section = state->sampled ? state->sampled->section(d, d) : std::nullopt;
+                             if (!state->section) state->exact = cross_section(state->target, *visibility, d, d);
+                           },
+                           [state, visibility, &mesh](const Vec3& d) {
+                             SeenSums sums = seen_sums(mesh, values(visibility->seen_fraction(d, d)), d);
+                             sums.sigma_wu = state->section ? state->section->sigma.value : state->exact.sigma.value;
+                             return sums;
+                           },
+                           [relative](double /*deviation*/) { return relative; }});
+  }
+}
+
 void add_z_buffer(Methods& methods, const FacetMesh& mesh, const Fineness& fineness, const PrivateDisplay& display) {
   const auto grids = std::make_shared<PixelGrids>(mesh);
   std::shared_ptr<ZBuffer> buffer;
@@ -127,8 +160,9 @@ void add_z_buffer(Methods& methods, const FacetMesh& mesh, const Fineness& finen
 
 Methods methods_for(const FacetMesh& mesh, const Fineness& fineness, const PrivateDisplay* display) {
   Methods methods;
-  add_exact(methods, mesh);
+  const auto visibility = add_exact(methods, mesh);
   add_embree(methods, mesh, fineness);
+  add_relative(methods, mesh, visibility);
   if (display != nullptr) add_z_buffer(methods, mesh, fineness, *display);
   return methods;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/placement.h"
+#include "lrcs/placement.h"
 
 namespace lrcs {
 

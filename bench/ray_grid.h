@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/embree_scene.h"
 #include "bench/pixel_grid.h"
+#include "lrcs/embree_scene.h"
 
 namespace lrcs {
 

@@ -85,7 +85,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
          [&](std::size_t row, const SweepRow& result, const CrossSection& section) {
            results.write_facets(row, result, section);
          }},
-        &facts.skipped);
+        &facts.skipped, scene.relative_accuracy, &facts.methods);
   }
   facts.sweep_seconds = seconds_since(start);
   results.write_table(rows);

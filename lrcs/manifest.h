@@ -6,6 +6,7 @@
 #include "lrcs/scene.h"
 #include "lrcs/scene_target.h"
 #include "lrcs/skips.h"
+#include "lrcs/sweep.h"
 
 namespace lrcs {
 
@@ -27,6 +28,7 @@ struct RunFacts {
   std::vector<std::pair<std::string, std::string>> outputs;  // file name, SHA-256
   std::vector<FacetFile> facets;
   SkipCounts skipped;
+  MethodCounts methods;
 };
 
 // The content of manifest.json: inputs with digests, version, command, what was repaired, materials, conventions,

@@ -14,6 +14,7 @@
 #include "lrcs/convexity.h"
 #include "lrcs/mirror_planes.h"
 #include "lrcs/return_error.h"
+#include "lrcs/sampled_sections.h"
 #include "lrcs/sweep_plan.h"
 
 namespace lrcs {
@@ -21,8 +22,9 @@ namespace {
 
 class Sweep {
  public:
-  Sweep(const Target& target, const std::vector<Aspect>& aspects, const SweepWatch& watch)
-      : target_(target), aspects_(aspects), watch_(watch), rows_(aspects.size()) {
+  Sweep(const Target& target, const std::vector<Aspect>& aspects, const SweepWatch& watch,
+        std::optional<double> relative)
+      : target_(target), aspects_(aspects), watch_(watch), relative_(relative), rows_(aspects.size()) {
     for (std::size_t row = 0; row < aspects.size(); ++row)
       wanted_.push_back(watch.wants_facets && watch.wants_facets(row));
   }
@@ -31,15 +33,19 @@ class Sweep {
   std::vector<SweepRow> run() {
     if (aspects_.empty()) return {};
     convex_ = is_convex_body(target_.mesh);
-    if (!convex_) visibility_.emplace(target_.mesh);
+    if (!convex_ && relative_ && SampledSections::may_pay(target_, *relative_)) sampled_.emplace(target_, *relative_);
+    if (!convex_ && !sampled_) visibility_.emplace(target_.mesh);
     plan();
     if (convex_) compute_convex();
+    if (sampled_) sample();
+    methods_.exact = alone_.size() + batched_.size();
     tbb::parallel_for(std::size_t{0}, alone_.size(), [this](std::size_t k) { compute(alone_[k]); });
     copy_alike();
     return std::move(rows_);
   }
 
   [[nodiscard]] const SkipCounts& skipped() const { return skipped_; }
+  [[nodiscard]] const MethodCounts& methods() const { return methods_; }
 
  private:
   [[nodiscard]] bool is_copied(std::size_t row) const { return alike_[row] != row && !wanted_[row]; }
@@ -64,13 +70,39 @@ class Sweep {
     for (std::size_t row = 0; row < alike_.size(); ++row)
       if (is_copied(row)) ++skipped_.repeated_directions;
     if (convex_) return;
-    const MirrorPlanes planes = mirror_planes(target_, planes_of_use(aspects_), visibility_->coincident_facets());
+    // Which facets lie on each other matters only where their materials differ, and is not known without visibility.
+    if (!visibility_ && !has_one_material()) return;
+    const auto coincident = visibility_ ? visibility_->coincident_facets() : std::vector<CoincidentFacets>{};
+    const MirrorPlanes planes = mirror_planes(target_, planes_of_use(aspects_), coincident);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (planes[axis]) skipped_.mirror_planes += "xyz"[axis];
     alike_ = first_alike(aspects_, planes);
     for (std::size_t row = 0; row < alike_.size(); ++row)
       if (is_copied(row)) ++skipped_.mirrored_directions;
     skipped_.mirrored_directions -= skipped_.repeated_directions;
+  }
+
+  [[nodiscard]] bool has_one_material() const {
+    return std::ranges::all_of(target_.material, [&](std::uint32_t m) { return m == target_.material.front(); });
+  }
+
+  // Leaves the rows alone for which it is not the way; only if there are any is the costly visibility built.
+  void sample() {
+    std::vector<std::uint8_t> is_done(aspects_.size(), 0);
+    tbb::parallel_for(std::size_t{0}, alone_.size(), [&](std::size_t k) { is_done[alone_[k]] = sample(alone_[k]); });
+    methods_.sampled = std::erase_if(alone_, [&](std::size_t row) { return is_done[row] != 0; });
+    sampled_.reset();
+    if (!alone_.empty()) visibility_.emplace(target_.mesh);
+  }
+
+  std::uint8_t sample(std::size_t row) {
+    if (wanted_[row]) return 0;
+    const auto section = sampled_->section(aspects_[row].to_transmitter, aspects_[row].to_receiver);
+    if (!section) return 0;
+    const std::scoped_lock lock(watching_);
+    rows_[row] = {aspects_[row], section->sigma, section->seen_area};
+    tell_done();
+    return 1;
   }
 
   void compute(std::size_t row) {
@@ -137,7 +169,9 @@ class Sweep {
   const std::vector<Aspect>& aspects_;
   const SweepWatch& watch_;
   std::vector<bool> wanted_;  // rows whose facets are
+  std::optional<double> relative_;
   bool convex_ = false;
+  std::optional<SampledSections> sampled_;
   std::optional<Visibility> visibility_;
   struct Memory {  // of a thread
     std::vector<Estimate> seen;
@@ -147,6 +181,7 @@ class Sweep {
   std::vector<std::size_t> alike_, alone_, batched_;
   std::vector<SweepRow> rows_;
   SkipCounts skipped_;
+  MethodCounts methods_;
   std::mutex watching_;
   std::size_t done_ = 0;
 };
@@ -154,8 +189,9 @@ class Sweep {
 }  // namespace
 
 std::vector<SweepRow> run_sweep(const Target& target, const std::vector<Aspect>& aspects, std::size_t threads,
-                                const SweepWatch& watch, SkipCounts* skipped) {
-  Sweep sweep(target, aspects, watch);
+                                const SweepWatch& watch, SkipCounts* skipped, std::optional<double> relative,
+                                MethodCounts* methods) {
+  Sweep sweep(target, aspects, watch, relative);
   std::vector<SweepRow> rows;
   // By itself TBB starts no more threads than there are cores.
   std::optional<tbb::global_control> allowed;
@@ -163,6 +199,7 @@ std::vector<SweepRow> run_sweep(const Target& target, const std::vector<Aspect>&
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
   arena.execute([&] { rows = sweep.run(); });
   if (skipped != nullptr) *skipped = sweep.skipped();
+  if (methods != nullptr) *methods = sweep.methods();
   return rows;
 }
 

@@ -1,16 +1,15 @@
 #!/bin/sh
-# Installs what lrcs needs to be built, run and tested on Debian 12: install-deps.sh [--checks] [--bench]
-# --checks: also what .ci/run needs for the style checks; --bench: for the benchmark. As root or through sudo. Silent where nothing is missing.
+# Installs what lrcs needs to be built, run and tested on Debian 12: install-deps.sh [--checks]
+# --checks: also what .ci/run needs for the style checks. As root or through sudo. Silent where nothing is missing.
 set -eu
 packages="g++ cmake ninja-build ccache
   libeigen3-dev libcgal-dev libopenmesh-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
-  libcli11-dev nlohmann-json3-dev libssl-dev libgmp-dev libmpfr-dev libgtest-dev libgmock-dev
+  libcli11-dev libembree-dev nlohmann-json3-dev libssl-dev libgmp-dev libmpfr-dev libgtest-dev libgmock-dev
   xvfb libgl1-mesa-dri"
 for more in "$@"; do
   case $more in
     --checks) packages="$packages clang-format-14 clang-tidy-14" ;;
-    --bench) packages="$packages libembree-dev" ;;
-    *) echo "install-deps.sh: expected --checks or --bench, found $more" >&2; exit 2 ;;
+    *) echo "install-deps.sh: expected --checks, found $more" >&2; exit 2 ;;
   esac
 done
 

@@ -1,4 +1,4 @@
-#include "bench/embree_scene.h"
+#include "lrcs/embree_scene.h"
 
 #include <fmt/format.h>
 #include <pmmintrin.h>

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "bench/placement.h"
+#include "lrcs/placement.h"
 #include "mesh/facet_mesh.h"
 
 namespace lrcs {

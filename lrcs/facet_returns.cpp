@@ -1,0 +1,44 @@
+#include "lrcs/facet_returns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace lrcs {
+
+void FacetReturns::look_along(const Vec3& to_transmitter, const Vec3& to_receiver) {
+  wi_ = to_transmitter;
+  wr_ = to_receiver;
+  models_.clear();
+  for (const Material& material : target_.materials)
+    models_.push_back(std::visit(
+        [&](const auto& model) -> std::function<double(const Vec3&)> {
+          if (wi_ == wr_) return [&model, w = wi_](const Vec3& n) { return model.f_cos_cos_retro(n.dot(w)); };
+          return [pair = model.for_pair(wi_, wr_)](const Vec3& n) { return pair(n); };
+        },
+        material.brdf));
+}
+
+// n: toward the receiver.
+double FacetReturns::of_material(std::size_t material, const Vec3& n) const {
+  constexpr double edge_on = 1e-9;
+  const double cos_r = n.dot(wr_);
+  return cos_r > edge_on ? models_[material](n) / cos_r : 0.0;
+}
+
+double FacetReturns::of(std::uint32_t facet) const {
+  const Vec3& n = target_.mesh.normals[facet];
+  if (n.dot(wr_) >= 0.0) return of_material(target_.material[facet], n);
+  return target_.sides == Sides::front ? 0.0 : of_material(target_.material[facet], -n);
+}
+
+double FacetReturns::range_in_plane_of(std::uint32_t facet) const {
+  const Vec3& n = target_.mesh.normals[facet];
+  const Vec3 toward = n.dot(wr_) >= 0.0 ? n : Vec3(-n);
+  const double here = of(facet);
+  double range = target_.sides == Sides::front ? here : 0.0;
+  for (std::size_t m = 0; m < models_.size(); ++m) range = std::max(range, std::abs(of_material(m, toward) - here));
+  return range;
+}
+
+}  // namespace lrcs

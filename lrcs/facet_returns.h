@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lrcs/cross_section.h"
+
+namespace lrcs {
+
+// What facets return for a pair of directions, for as much of them as is lit and seen.
+// value: f_r cos_i cos_r / |cos_r| [1/sr]: times 4 pi and the area across the receiver's view it is the share of sigma.
+//   0 for backs where only fronts reflect, and for facets that the receiver sees edge-on.
+class FacetReturns {
+ public:
+  // Keeps a reference.
+  explicit FacetReturns(const Target& target) : target_(target) {}
+
+  void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
+
+  // domain: both directions on one side of the facet.
+  [[nodiscard]] double of(std::uint32_t facet) const;
+
+  // The largest difference between this and what any other facet in its plane may return, of whatever material.
+  [[nodiscard]] double range_in_plane_of(std::uint32_t facet) const;
+
+ private:
+  [[nodiscard]] double of_material(std::size_t material, const Vec3& n) const;
+
+  const Target& target_;
+  Vec3 wi_, wr_;
+  std::vector<std::function<double(const Vec3& n)>> models_;  // one a material: f_r cos_i cos_r of a normal
+};
+
+}  // namespace lrcs

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "lrcs/placement.h"
+
+namespace lrcs {
+
+// A lattice of places across what a viewer sees, in rows: x along a row and y across rows count steps. Place c of row r
+// is at x = c + offset(r), y = r + 1/2. frame: that of Placement. Rows lie across the axes along which targets are
+// designed: edges that run along rows of places are missed or met by all of a row, and rows along them had 2 to 20
+// times the error on tess, hubble and the spacecraft. Each row is shifted by an amount of its own, as if at random: so
+// rows err independently of each other, which is what tells the error (lrcs/row_spread.h), and it is no larger than
+// without. A regular shift may fall in step with edges: by the golden ratio it had up to twice the error on tess.
+struct RowGrid {
+  Vec3 right, up, toward;  // unit
+  Vec3 corner;             // x = y = 0, at the height of what is nearest to the viewer
+  double step = 0.0;       // between places of a row, and between rows
+  std::uint32_t columns = 0, rows = 0;
+
+  // Of a row's places, 0..1 [steps].
+  [[nodiscard]] static double offset(std::uint32_t row) {
+    std::uint64_t z = (row + std::uint64_t{1}) * 0x9e3779b97f4a7c15U;  // splitmix64
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  }
+};
+
+// Lays row grids over a target, direction by direction.
+class RowGrids {
+ public:
+  explicit RowGrids(const FacetMesh& mesh);
+
+  // About size x size places over the box of what is seen.
+  [[nodiscard]] RowGrid over(const Vec3& to_viewer, double size) const;
+
+  [[nodiscard]] const Placement& placement() const { return placement_; }
+
+ private:
+  struct Box {
+    Vec3 middle, half;
+  };
+  Placement placement_;
+  std::vector<Box> boxes_;  // placed: of the vertices in cells of a coarse grid
+};
+
+}  // namespace lrcs

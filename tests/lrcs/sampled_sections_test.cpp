@@ -1,0 +1,113 @@
+#include "lrcs/sampled_sections.h"
+
+#include <gtest/gtest.h>
+
+#include "lrcs/sweep.h"
+#include "test_targets.h"
+
+namespace lrcs {
+namespace {
+
+// Two dented bodies, one before the other: many facets, so that sampling pays.
+FacetMesh two_spheres(double size = 1.0, const Vec3& at = Vec3::Zero()) {
+  FacetMesh mesh = sphere(1.0, 60);
+  append(mesh, sphere(0.7, 60), {1.2, 0.3, 0.2});
+  for (Vec3& p : mesh.positions) p = size * p + at;
+  return mesh;
+}
+
+void expect_honest(const Target& target, double relative, bool bistatic, std::uint64_t seed) {
+  ASSERT_TRUE(SampledSections::may_pay(target, relative));
+  const SampledSections sampled(target, relative);
+  const Visibility visibility(target.mesh);
+  std::mt19937_64 random(seed);
+  int found = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Vec3 di = random_direction(random);
+    const Vec3 dr = bistatic ? Vec3((di + 0.4 * random_direction(random)).normalized()) : di;
+    const auto section = sampled.section(di, dr);
+    if (!section) continue;
+    ++found;
+    const CrossSection truth = cross_section(target, visibility, di, dr);
+    EXPECT_LE(section->sigma.bound, relative * section->sigma.value);
+    EXPECT_LE(std::abs(section->sigma.value - truth.sigma.value), section->sigma.bound) << k;
+    EXPECT_NEAR(section->seen_area, truth.seen_area, 2.0 * relative * truth.seen_area);
+  }
+  EXPECT_GT(found, 10);
+}
+
+TEST(SampledSections, AreWithinTheirBoundAndTheBoundWithinWhatWasAsked) {
+  for (const bool bistatic : {false, true}) {
+    expect_honest(target_of(two_spheres(), lambert(0.5)), 2e-2, bistatic, 1);
+    expect_honest(target_of(two_spheres(), library("metal-skin-5p")), 1e-2, bistatic, 2);
+  }
+}
+
+TEST(SampledSections, HoldForTinyTargetsAndThoseFarFromTheOrigin) {
+  expect_honest(target_of(two_spheres(1e-9), lambert(0.5)), 2e-2, false, 3);
+  expect_honest(target_of(two_spheres(1.0, {1e6, -2e6, 1e6}), lambert(0.5)), 2e-2, false, 4);
+}
+
+TEST(SampledSections, CountFrontsOnlyWhereBacksReturnNothing) {
+  Target target = target_of(two_spheres(), lambert(0.5));
+  target.sides = Sides::front;
+  expect_honest(target, 2e-2, false, 5);
+  for (auto& f : target.mesh.facets) std::swap(f[0], f[1]);
+  measure_facets(target.mesh);
+  const Vec3 d = Vec3(1, 2, 3).normalized();
+  EXPECT_FALSE(SampledSections(target, 2e-2).section(d, d)) << "nothing returns: exact";
+}
+
+TEST(SampledSections, DoNotTrustRaysBetweenSheetsThatLieOnEachOther) {
+  FacetMesh mesh;
+  add_tiled_plate(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 60);
+  add_tiled_plate(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 60);
+  Target target = target_of(mesh, lambert(0.8));
+  target.materials.push_back({"black", lambert(0.1), 0.0, ""});
+  for (std::size_t f = target.mesh.size() / 2; f < target.mesh.size(); ++f) target.material[f] = 1;
+  const Vec3 d = Vec3(0.2, 0.1, 1.0).normalized();
+  EXPECT_FALSE(SampledSections(target, 2e-2).section(d, d));
+  target.material.assign(target.mesh.size(), 0);
+  EXPECT_TRUE(SampledSections(target, 2e-2).section(d, d)) << "of one material it does not matter which";
+}
+
+TEST(SampledSections, AreNotWorthwhileForFineAccuracyOrFewFacets) {
+  const Target target = target_of(two_spheres(), lambert(0.5));
+  EXPECT_TRUE(SampledSections::may_pay(target, 1e-2));
+  EXPECT_FALSE(SampledSections::may_pay(target, 1e-4));
+  EXPECT_FALSE(SampledSections::may_pay(target, 1e-9));
+}
+
+TEST(SampledSections, MakeASweepThatIsTheSameForAnyNumberOfThreadsAndIsCounted) {
+  const Target target = target_of(two_spheres(), library("metal-skin-5p"));
+  std::vector<Aspect> aspects;
+  for (int k = 0; k < 12; ++k) aspects.push_back(aspect_of({30.0 * k, 11.0}, {}));
+  MethodCounts methods;
+  SweepWatch watch;
+  watch.wants_facets = [](std::size_t row) { return row == 3; };
+  watch.facets = [](std::size_t, const SweepRow&, const CrossSection&) {};
+  const auto one = run_sweep(target, aspects, 1, watch, nullptr, 1e-2, &methods);
+  const auto two = run_sweep(target, aspects, 2, watch, nullptr, 1e-2);
+  EXPECT_GE(methods.exact, 1U) << "the row whose facets are wanted";
+  EXPECT_GT(methods.sampled, 6U);
+  EXPECT_EQ(methods.exact + methods.sampled, aspects.size());
+  const auto exact = run_sweep(target, aspects, 2);
+  for (std::size_t k = 0; k < aspects.size(); ++k) {
+    EXPECT_EQ(one[k].sigma.value, two[k].sigma.value);
+    EXPECT_EQ(one[k].sigma.bound, two[k].sigma.bound);
+    EXPECT_EQ(one[k].seen_area, two[k].seen_area);
+    EXPECT_LE(std::abs(one[k].sigma.value - exact[k].sigma.value), one[k].sigma.bound);
+  }
+  EXPECT_EQ(one[3].sigma.value, exact[3].sigma.value);
+}
+
+TEST(SampledSections, LeaveABlackTargetToTheExactWay) {
+  const Target target = target_of(two_spheres(), lambert(0.0));
+  MethodCounts methods;
+  const auto rows = run_sweep(target, {aspect_of({10.0, 20.0}, {})}, 1, {}, nullptr, 1e-2, &methods);
+  EXPECT_EQ(rows[0].sigma.value, 0.0);
+  EXPECT_EQ(methods.exact, 1U);
+}
+
+}  // namespace
+}  // namespace lrcs
