@@ -5,27 +5,20 @@
 #include <cassert>
 #include <limits>
 
+#include "base/splitmix64.h"
+
 namespace lrcs {
 namespace {
-
-void skip_own_facet(const RTCFilterFunctionNArguments* hits) {
-  for (unsigned k = 0; k < hits->N; ++k)
-    if (hits->valid[k] == -1 && RTCHitN_primID(hits->hit, hits->N, k) == RTCRayN_id(hits->ray, hits->N, k))
-      hits->valid[k] = 0;
-}
 
 // A point of the triangle (0,0), (1,0), (0,1).
 struct Barycentric {
   float u, v;
 };
 
-// Random, evenly over the unit triangle: the square's other half is turned onto it. A short generator (splitmix64),
-// for its time is that of the method.
-Barycentric random_point(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+// Point k, as if at random, evenly over the unit triangle: the square's other half is turned onto it. A short
+// generator, for its time is that of the method.
+Barycentric random_point(std::uint64_t k) {
+  const std::uint64_t z = splitmix64(k);
   const float u = static_cast<float>(z >> 40U) * 0x1p-24F;
   const float v = static_cast<float>((z >> 16U) & 0xffffffU) * 0x1p-24F;
   return u + v > 1.0F ? Barycentric{1.0F - u, 1.0F - v} : Barycentric{u, v};
@@ -35,19 +28,13 @@ Barycentric random_point(std::uint64_t& state) {
 
 // Rays on their way to Embree, 16 at a time.
 struct EmbreeRays::Packet {
-  static constexpr unsigned width = 16;
+  static constexpr unsigned width = packet_width;
 
   Packet(RTCScene scene_, const Vec3& to_viewer, std::vector<std::uint16_t>& clear_) : scene(scene_), clear(clear_) {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;  // up to a fifth faster here
     context.filter = skip_own_facet;
-    std::fill_n(ray.dir_x, width, static_cast<float>(to_viewer.x()));
-    std::fill_n(ray.dir_y, width, static_cast<float>(to_viewer.y()));
-    std::fill_n(ray.dir_z, width, static_cast<float>(to_viewer.z()));
-    std::fill_n(ray.tnear, width, 0.0F);
-    std::fill_n(ray.mask, width, ~0U);
-    std::fill_n(ray.flags, width, 0U);
-    std::fill_n(ray.time, width, 0.0F);
+    aim(ray, to_viewer);
     std::fill_n(valid.begin(), width, -1);
   }
 
@@ -111,7 +98,7 @@ void EmbreeRays::cast_from_strata(const Vec3& to_viewer, std::uint32_t strata) {
   for (std::size_t f = 0; f < mesh_.size(); ++f) {
     if (mesh_.normals[f].dot(to_viewer) <= 0.0) continue;
     const auto a = scene_.corner(f, 0), b = scene_.corner(f, 1), c = scene_.corner(f, 2);
-    std::uint64_t state = f << 20U;
+    std::uint64_t point = f << 20U;
     const auto add = [&](float u, float v) {
       u *= step;
       v *= step;
@@ -121,10 +108,10 @@ void EmbreeRays::cast_from_strata(const Vec3& to_viewer, std::uint32_t strata) {
     for (std::uint32_t row = 0; row < strata; ++row)
       for (std::uint32_t column = 0; column + row < strata; ++column) {
         const auto i = static_cast<float>(column), j = static_cast<float>(row);
-        const Barycentric upright = random_point(state);
+        const Barycentric upright = random_point(++point);
         add(i + upright.u, j + upright.v);
         if (column + row + 1 == strata) continue;
-        const Barycentric turned = random_point(state);
+        const Barycentric turned = random_point(++point);
         add(i + 1.0F - turned.u, j + 1.0F - turned.v);
       }
   }

@@ -36,38 +36,42 @@ std::vector<double> values(const std::vector<Estimate>& estimates) {
 }
 
 struct Exact {
-  std::shared_ptr<Visibility> visibility;
+  std::unique_ptr<Visibility> visibility;
   std::vector<Estimate> seen;
   Target target;
   CrossSection section;
+
+  void look(const Vec3& d) {
+    visibility->seen_fraction(d, d, seen);
+    cross_section(target, seen, d, d, section);
+  }
+  // With sigma from elsewhere.
+  [[nodiscard]] SeenSums sums(const Vec3& d, double sigma_wu) const {
+    SeenSums sums = seen_sums(target.mesh, values(seen), d);
+    sums.sigma_wu = sigma_wu;
+    return sums;
+  }
 };
 
 // The seen fraction of every facet; and beside it the whole way to sigma and its bound, for one material.
-std::shared_ptr<Visibility> add_exact(Methods& methods, const FacetMesh& mesh) {
-  const auto state = std::make_shared<Exact>();
+std::shared_ptr<Exact> add_exact(Methods& methods, const FacetMesh& mesh) {
+  auto state = std::make_shared<Exact>();
   methods.built.push_back(building(
-      "exact", [&] { state->visibility = std::make_shared<Visibility>(mesh); },
+      "exact", [&] { state->visibility = std::make_unique<Visibility>(mesh); },
       [&] { state->seen = state->visibility->seen_fraction(first_look, first_look); }));
   state->target = {mesh, {*find_in_library("metal-skin-5p")}, {}, Sides::front};
   state->target.material.assign(mesh.size(), 0);
   methods.deviation = [state](const Vec3& d) { return one_ray_deviation(state->target.mesh, values(state->seen), d); };
-  const auto allowed = [](double /*deviation*/) { return 1e-9; };
+  constexpr double sums_rounding = 1e-9;  // of the bench's own sums, and far to spare
+  const auto allowed = [](double /*deviation*/) { return sums_rounding; };
   methods.all.push_back({exact_family, "exact: seen fractions", "", 1.0,
                          [state](const Vec3& d) { state->visibility->seen_fraction(d, d, state->seen); },
                          [state](const Vec3& d) { return seen_sums(state->target.mesh, values(state->seen), d); },
                          allowed});
   methods.all.push_back({exact_to_sigma_family, "exact: cross section", "", 1.0,
-                         [state](const Vec3& d) {
-                           state->visibility->seen_fraction(d, d, state->seen);
-                           cross_section(state->target, state->seen, d, d, state->section);
-                         },
-                         [state](const Vec3& d) {
-                           SeenSums sums = seen_sums(state->target.mesh, state->section.seen_fraction, d);
-                           sums.sigma_wu = state->section.sigma.value;
-                           return sums;
-                         },
-                         allowed});
-  return state->visibility;
+                         [state](const Vec3& d) { state->look(d); },
+                         [state](const Vec3& d) { return state->sums(d, state->section.sigma.value); }, allowed});
+  return state;
 }
 
 // Six deviations, as if rays were not stratified; and what floats and touching facets may cost.
@@ -114,30 +118,25 @@ void add_embree(Methods& methods, const FacetMesh& mesh, const Fineness& finenes
 }
 
 struct Relative {
-  Target target;
-  std::unique_ptr<SampledSections> sampled;
+  std::unique_ptr<SampledSections> sampled;  // null: nothing is
   std::optional<SampledSection> section;
-  CrossSection exact;  // where there is no section
 };
 
 // What `accuracy: {relative: r}` takes: a grid of rays, or the exact way. Sums other than sigma of metal-skin-5p are
-// not what it aims at, and count as found.
-void add_relative(Methods& methods, const FacetMesh& mesh, const std::shared_ptr<Visibility>& visibility) {
+// not what it aims at: those of exact stand there.
+void add_relative(Methods& methods, const std::shared_ptr<Exact>& exact) {
   for (const double relative : {1e-2, 1e-3, 1e-4}) {
     const auto state = std::make_shared<Relative>();
-    state->target = {
-        mesh, {*find_in_library("metal-skin-5p")}, std::vector<std::uint32_t>(mesh.size(), 0), Sides::front};
-    if (SampledSections::may_pay(state->target, relative))
-      state->sampled = std::make_unique<SampledSections>(state->target, relative);
+    if (SampledSections::may_pay(exact->target, relative))
+      state->sampled = std::make_unique<SampledSections>(exact->target, relative);
     methods.all.push_back({fmt::format("relative {:g}", relative), fmt::format("relative {:g}", relative), "", 1.0,
-                           [state, visibility](const Vec3& d) {
+                           [state, exact](const Vec3& d) {
                              state->section = state->sampled ? state->sampled->section(d, d) : std::nullopt;
-                             if (!state->section) state->exact = cross_section(state->target, *visibility, d, d);
+                             if (!state->section) exact->look(d);
                            },
-                           [state, visibility, &mesh](const Vec3& d) {
-                             SeenSums sums = seen_sums(mesh, values(visibility->seen_fraction(d, d)), d);
-                             sums.sigma_wu = state->section ? state->section->sigma.value : state->exact.sigma.value;
-                             return sums;
+                           [state, exact](const Vec3& d) {
+                             return exact->sums(d,
+                                                (state->section ? state->section->sigma : exact->section.sigma).value);
                            },
                            [relative](double /*deviation*/) { return relative; }});
   }
@@ -160,9 +159,9 @@ void add_z_buffer(Methods& methods, const FacetMesh& mesh, const Fineness& finen
 
 Methods methods_for(const FacetMesh& mesh, const Fineness& fineness, const PrivateDisplay* display) {
   Methods methods;
-  const auto visibility = add_exact(methods, mesh);
+  const auto exact = add_exact(methods, mesh);
   add_embree(methods, mesh, fineness);
-  add_relative(methods, mesh, visibility);
+  add_relative(methods, exact);
   if (display != nullptr) add_z_buffer(methods, mesh, fineness, *display);
   return methods;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lrcs/askew_axes.h"
+
 namespace lrcs {
 namespace {
 
@@ -13,8 +15,7 @@ struct Range {
 
 Range range_along(const Eigen::Matrix<float, Eigen::Dynamic, 3>& positions, const Vec3& axis) {
   const Eigen::VectorXf heights = positions * axis.cast<float>();
-  constexpr double rounding = 1e-6;  // of floats around 1, and to spare
-  return {heights.minCoeff() - rounding, heights.maxCoeff() + rounding};
+  return {heights.minCoeff() - 0.5 * float_error, heights.maxCoeff() + 0.5 * float_error};
 }
 
 }  // namespace
@@ -27,9 +28,9 @@ PixelGrids::PixelGrids(const FacetMesh& mesh) : placement_(mesh), positions_(mes
 PixelGrid PixelGrids::over(const Vec3& to_viewer, std::uint32_t pixels) const {
   PixelGrid grid;
   grid.toward = to_viewer;
-  const double askew = std::atan(2.0 / (1.0 + std::sqrt(5.0)));  // a slope far from all simple fractions
-  grid.right = Eigen::AngleAxisd(askew, to_viewer) * to_viewer.unitOrthogonal();
-  grid.up = to_viewer.cross(grid.right);
+  const AskewAxes across(to_viewer);
+  grid.right = across.right;
+  grid.up = across.up;
   const Range x = range_along(positions_, grid.right), y = range_along(positions_, grid.up);
   const Range z = range_along(positions_, grid.toward);
   grid.corner = x.low * grid.right + y.low * grid.up + z.high * grid.toward;

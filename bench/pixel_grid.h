@@ -8,8 +8,7 @@
 namespace lrcs {
 
 // Square pixels over a placed target as a viewer sees it, without room to spare. frame: that of Placement.
-// Its rows lie across the axes along which targets are designed: edges that run along rows of pixels are missed or met
-// by all of a row, and rows along them had 2 to 20 times the error on tess, hubble and the spacecraft.
+// Its rows lie along AskewAxes.
 struct PixelGrid {
   Vec3 right, up, toward;  // unit
   Vec3 corner;             // of the lowest left pixel, at the height of what is nearest to the viewer

@@ -9,20 +9,14 @@ namespace {
 
 constexpr std::uint32_t tile = 4;  // pixels along a side of what one packet holds
 constexpr std::size_t width = std::size_t{tile} * tile;
+static_assert(width == packet_width);
 
 // The rays of one tile after another.
 struct Tile {
   Tile(RTCScene scene_, const PixelGrid& grid_) : scene(scene_), grid(grid_) {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    RTCRay16& ray = hits.ray;
-    std::fill_n(ray.dir_x, width, static_cast<float>(-grid.toward.x()));
-    std::fill_n(ray.dir_y, width, static_cast<float>(-grid.toward.y()));
-    std::fill_n(ray.dir_z, width, static_cast<float>(-grid.toward.z()));
-    std::fill_n(ray.tnear, width, 0.0F);
-    std::fill_n(ray.mask, width, ~0U);
-    std::fill_n(ray.flags, width, 0U);
-    std::fill_n(ray.time, width, 0.0F);
+    aim(hits.ray, -grid.toward);
     constexpr double before = 0.1;  // how far before the target rays start
     for (std::uint32_t k = 0; k < width; ++k) {
       const std::uint32_t i = k % tile, j = k / tile;

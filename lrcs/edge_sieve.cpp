@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/wide_loop.h"
+
 namespace lrcs {
 namespace {
-
-// The same answers from every version: no operation is contracted or reordered.
-#define LRCS_WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 
 constexpr double unit = 0x1p-24;  // rounding of floats
 

@@ -4,6 +4,7 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace lrcs {
@@ -47,6 +48,22 @@ void EmbreeScene::attach(const FacetMesh& mesh) {
 void EmbreeScene::check() const {
   const RTCError error = rtcGetDeviceError(device_);
   if (error != RTC_ERROR_NONE) throw std::runtime_error(fmt::format("Embree: error {}", static_cast<int>(error)));
+}
+
+void aim(RTCRay16& rays, const Vec3& along) {
+  std::fill_n(rays.dir_x, packet_width, static_cast<float>(along.x()));
+  std::fill_n(rays.dir_y, packet_width, static_cast<float>(along.y()));
+  std::fill_n(rays.dir_z, packet_width, static_cast<float>(along.z()));
+  std::fill_n(rays.tnear, packet_width, 0.0F);
+  std::fill_n(rays.mask, packet_width, ~0U);
+  std::fill_n(rays.flags, packet_width, 0U);
+  std::fill_n(rays.time, packet_width, 0.0F);
+}
+
+void skip_own_facet(const RTCFilterFunctionNArguments* hits) {
+  for (unsigned k = 0; k < hits->N; ++k)
+    if (hits->valid[k] == -1 && RTCHitN_primID(hits->hit, hits->N, k) == RTCRayN_id(hits->ray, hits->N, k))
+      hits->valid[k] = 0;
 }
 
 FlushDenormals::FlushDenormals() : before_(_mm_getcsr()) {

@@ -36,6 +36,15 @@ class EmbreeScene {
   Placement placement_;
 };
 
+// The width of Embree's widest packets.
+inline constexpr std::size_t packet_width = 16;
+
+// Sets all of a packet's rays but where they start, how far they reach and whose they are.
+void aim(RTCRay16& rays, const Vec3& along);
+
+// A filter for rays whose id is the facet that they start from: they do not meet that one.
+void skip_own_facet(const RTCFilterFunctionNArguments* hits);
+
 // While one lives, this thread's denormal numbers are zero, as Embree advises: it would slow down on them.
 class FlushDenormals {
  public:

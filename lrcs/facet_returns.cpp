@@ -21,7 +21,8 @@ void FacetReturns::look_along(const Vec3& to_transmitter, const Vec3& to_receive
 
 // n: toward the receiver.
 double FacetReturns::of_material(std::size_t material, const Vec3& n) const {
-  constexpr double edge_on = 1e-9;
+  // Even as large as the target it would be narrower than floats tell: what rays meet of it is chance.
+  constexpr double edge_on = 0x1p-30;
   const double cos_r = n.dot(wr_);
   return cos_r > edge_on ? models_[material](n) / cos_r : 0.0;
 }

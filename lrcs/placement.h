@@ -4,6 +4,10 @@
 
 namespace lrcs {
 
+// What floats around 1 make of places, when rays and facets are computed from them: 16 of their roundings of 2^-23,
+// rounded up.
+inline constexpr double float_error = 2e-6;
+
 // Where a target is put for those who know floats only: centred, its largest side 1.
 struct Placement {
   explicit Placement(const FacetMesh& mesh);

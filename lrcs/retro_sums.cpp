@@ -1,10 +1,10 @@
 #include "lrcs/retro_sums.h"
 
+#include "base/wide_loop.h"
+
 namespace lrcs {
 namespace {
 
-// The same bytes from every version: no operation is contracted or reordered.
-#define LRCS_WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 #define LRCS_INSIDE __attribute__((always_inline)) inline
 
 // Plain pointers that do not overlap: without them the compiler makes no vector code.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lrcs/askew_axes.h"
+
 namespace lrcs {
 namespace {
 
@@ -42,9 +44,9 @@ RowGrids::RowGrids(const FacetMesh& mesh) : placement_(mesh) {
 RowGrid RowGrids::over(const Vec3& to_viewer, double size) const {
   RowGrid grid;
   grid.toward = to_viewer;
-  const double askew = std::atan(2.0 / (1.0 + std::sqrt(5.0)));  // a slope far from all simple fractions
-  grid.right = Eigen::AngleAxisd(askew, to_viewer) * to_viewer.unitOrthogonal();
-  grid.up = to_viewer.cross(grid.right);
+  const AskewAxes across(to_viewer);
+  grid.right = across.right;
+  grid.up = across.up;
   const std::array<Vec3, 3> axes{grid.right, grid.up, grid.toward};
   std::array<double, 3> low{}, high{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -55,9 +57,8 @@ RowGrid RowGrids::over(const Vec3& to_viewer, double size) const {
       low[k] = std::min(low[k], middle - half);
       high[k] = std::max(high[k], middle + half);
     }
-    constexpr double rounding = 1e-6;  // of floats around 1, and to spare
-    low[k] -= rounding;
-    high[k] += rounding;
+    low[k] -= 0.5 * float_error;
+    high[k] += 0.5 * float_error;
   }
   grid.step = std::sqrt((high[0] - low[0]) * (high[1] - low[1])) / size;
   const auto steps = [&](int axis) {

@@ -2,16 +2,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/splitmix64.h"
 #include "lrcs/placement.h"
 
 namespace lrcs {
 
 // A lattice of places across what a viewer sees, in rows: x along a row and y across rows count steps. Place c of row r
-// is at x = c + offset(r), y = r + 1/2. frame: that of Placement. Rows lie across the axes along which targets are
-// designed: edges that run along rows of places are missed or met by all of a row, and rows along them had 2 to 20
-// times the error on tess, hubble and the spacecraft. Each row is shifted by an amount of its own, as if at random: so
-// rows err independently of each other, which is what tells the error (lrcs/row_spread.h), and it is no larger than
-// without. A regular shift may fall in step with edges: by the golden ratio it had up to twice the error on tess.
+// is at x = c + offset(r), y = r + 1/2. frame: that of Placement. Rows lie along AskewAxes. Each row is shifted by an
+// amount of its own, as if at random: so rows err independently of each other, which is what tells the error
+// (lrcs/row_spread.h), and it is no larger than without. A regular shift may fall in step with edges: by the golden
+// ratio it had up to twice the error on tess.
 struct RowGrid {
   Vec3 right, up, toward;  // unit
   Vec3 corner;             // x = y = 0, at the height of what is nearest to the viewer
@@ -20,10 +20,7 @@ struct RowGrid {
 
   // Of a row's places, 0..1 [steps].
   [[nodiscard]] static double offset(std::uint32_t row) {
-    std::uint64_t z = (row + std::uint64_t{1}) * 0x9e3779b97f4a7c15U;  // splitmix64
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+    return static_cast<double>(splitmix64(row + std::uint64_t{1}) >> 11U) * 0x1p-53;
   }
 };
 

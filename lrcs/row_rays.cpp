@@ -3,22 +3,14 @@
 #include <algorithm>
 
 #include "lrcs/embree_scene.h"
+#include "lrcs/placement.h"
 
 namespace lrcs {
 namespace {
 
 constexpr std::size_t width = RowRays::width;
+static_assert(width == packet_width);
 constexpr double before = 0.1;  // how far before the target rays start
-
-void aim(RTCRay16& ray, const Vec3& along) {
-  std::fill_n(ray.dir_x, width, static_cast<float>(along.x()));
-  std::fill_n(ray.dir_y, width, static_cast<float>(along.y()));
-  std::fill_n(ray.dir_z, width, static_cast<float>(along.z()));
-  std::fill_n(ray.tnear, width, 0.0F);
-  std::fill_n(ray.mask, width, ~0U);
-  std::fill_n(ray.flags, width, 0U);
-  std::fill_n(ray.time, width, 0.0F);
-}
 
 void start(RTCRay16& ray, std::size_t k, const Vec3& from) {
   ray.org_x[k] = static_cast<float>(from.x());
@@ -81,8 +73,8 @@ void RowRays::light(std::size_t count, std::array<Seen, width>& seen) {
     const Vec3& n = mesh_.normals[seen[k].facet];
     seen[k].lit = n.dot(to_transmitter_) * n.dot(to_receiver_) > 0.0;
     if (!seen[k].lit) continue;
-    constexpr double clear = 2e-6;  // of the facet itself, as floats have it
-    const double side = n.dot(to_transmitter_) > 0.0 ? clear : -clear;
+    // Clear of the facet itself.
+    const double side = n.dot(to_transmitter_) > 0.0 ? float_error : -float_error;
     start(p.shadow, k, p.starts[k] - static_cast<double>(p.hits.ray.tfar[k]) * to_receiver_ + side * n);
     p.valid[k] = -1;
     any = true;

@@ -16,7 +16,6 @@ struct Seen {
   static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t facet = nothing;
   bool lit = false;
-  bool operator==(const Seen&) const = default;
   [[nodiscard]] bool any() const { return facet != nothing; }
 };
 

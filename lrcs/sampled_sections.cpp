@@ -53,8 +53,7 @@ SampledSections::SampledSections(const Target& target, double relative)
 SampledSections::~SampledSections() = default;
 
 bool SampledSections::may_pay(const Target& target, double relative) {
-  constexpr double floats = 1e-5;  // Embree's own error comes near
-  return relative > floats && target.mesh.size() > 0 &&
+  return relative > 5.0 * float_error && target.mesh.size() > 0 &&
          pays(static_cast<double>(target.mesh.size()), size_for(relative, smooth));
 }
 
@@ -68,8 +67,7 @@ SampledSection SampledSections::cast(const Vec3& to_transmitter, const Vec3& to_
   const double around = 4.0 * std::numbers::pi * side * side;
   double area = 0.0;
   for (const RowSum& row : rows) area += row.area;
-  constexpr double floats = 2e-6;  // boundaries of facets in floats
-  return {{around * sum.value, around * (sum.bound + floats * sum.value)}, side * side * area};
+  return {{around * sum.value, around * (sum.bound + float_error * sum.value)}, side * side * area};
 }
 
 std::optional<SampledSection> SampledSections::section(const Vec3& to_transmitter, const Vec3& to_receiver) const {

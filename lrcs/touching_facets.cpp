@@ -3,20 +3,10 @@
 #include <array>
 
 #include "lrcs/embree_scene.h"
+#include "lrcs/placement.h"
 
 namespace lrcs {
 namespace {
-
-constexpr double near = 2e-6;  // of the target's size: what floats around 1 can tell, and to spare
-
-bool is_own(RTCRayN* ray, RTCHitN* hit, unsigned count, unsigned k) {
-  return RTCHitN_primID(hit, count, k) == RTCRayN_id(ray, count, k);
-}
-
-void skip_own_facet(const RTCFilterFunctionNArguments* hits) {
-  for (unsigned k = 0; k < hits->N; ++k)
-    if (hits->valid[k] == -1 && is_own(hits->ray, hits->hit, hits->N, k)) hits->valid[k] = 0;
-}
 
 RTCRayHit short_ray(std::uint32_t facet, const Vec3& from, const Vec3& along) {
   RTCRayHit ray{};
@@ -26,7 +16,7 @@ RTCRayHit short_ray(std::uint32_t facet, const Vec3& from, const Vec3& along) {
   ray.ray.dir_x = static_cast<float>(along.x());
   ray.ray.dir_y = static_cast<float>(along.y());
   ray.ray.dir_z = static_cast<float>(along.z());
-  ray.ray.tfar = static_cast<float>(2.0 * near);
+  ray.ray.tfar = static_cast<float>(2.0 * float_error);
   ray.ray.mask = ~0U;
   ray.ray.id = facet;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -50,7 +40,7 @@ void TouchingFacets::probe(std::uint32_t facet, const EmbreeScene& scene) {
   const Vec3& n = mesh_.normals[facet];
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3 point = k == 3 ? middle : Vec3(0.5 * (middle + corners[k]));
-    RTCRayHit ray = short_ray(facet, scene.placement().placed(point) - near * n, n);
+    RTCRayHit ray = short_ray(facet, scene.placement().placed(point) - float_error * n, n);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.filter = skip_own_facet;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide_loop.h"
 #include "lrcs/facet_frame.h"
 
 namespace lrcs {
 namespace {
-
-// The same bytes from every version: no operation is contracted or reordered.
-#define LRCS_WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 
 LRCS_WIDE void project(std::size_t count, const double* x, const double* y, const double* z, double a, double b,
                        double c, double* out) {
