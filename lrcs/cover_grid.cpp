@@ -99,7 +99,9 @@ void CoverGrid::lay_out(const ViewOutline& view, const Surface& surface) {
   rounding_ = view.rounding();
   const double width = *x1 - *x0, height = *y1 - *y0;
   // Finer ones find more, but take longer than that saves.
-  const double across = std::clamp(std::sqrt(static_cast<double>(surface.occluders.size())), 16.0, 64.0);
+  const double by_facets = std::clamp(std::sqrt(static_cast<double>(surface.occluders.size())), 16.0, 64.0);
+  const double by_edges = std::min(1.5 * std::sqrt(static_cast<double>(view.edges().size())), 128.0);
+  const double across = std::max(by_facets, by_edges);
   size_ = std::max(width, height) / across;
   const double per = size_ > 0.0 ? 1.0 / size_ : 0.0;
   grid_ = {*x0, *y0, per, per, static_cast<int>(width * per) + 1, static_cast<int>(height * per) + 1};
