@@ -2,27 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "lrcs/exact_height.h"
-#include "lrcs/facet_frame.h"
 #include "lrcs/occluder_edges.h"
 #include "lrcs/occluders.h"
+#include "lrcs/plane_side.h"
 
 namespace lrcs {
 namespace {
-
-int sign(double x) {
-  return (x > 0.0 ? 1 : 0) - (x < 0.0 ? 1 : 0);
-}
-
-// Which side of the plane of a, b, c the point is on: +1 in front, exactly. cross: facet_cross(a, b, c).
-int side_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& cross, const Vec3& p) {
-  const Vec3 terms = (p - a).cwiseProduct(cross);
-  // As FacetFrame::at_vertex().
-  if (std::abs(terms.sum()) > 8.0 * unit_roundoff * terms.lpNorm<1>()) return sign(terms.sum());
-  return sign(exact_height(a, b, c, p));
-}
 
 // Does a facet of the mesh as given certainly have a corner of another before it? Looks at a few facets only.
 bool has_something_before_a_facet(const FacetMesh& mesh) {
@@ -57,7 +43,7 @@ class ConvexityCheck {
   }
   [[nodiscard]] int side(std::uint32_t facet, const Vec3& p) const {
     const auto [a, b, c] = corners(facet);
-    return side_of(a, b, c, occluders_.cross[facet], p);
+    return plane_side(a, b, c, occluders_.cross[facet], p);
   }
 
   // The facet's corner that is not at the edge.
@@ -94,7 +80,7 @@ class ConvexityCheck {
     const auto p = corners(facet);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &from = p[k], &to = p[(k + 1) % 3];
-      if (side_of(middle_, from, to, facet_cross(middle_, from, to), through) < 0) return false;
+      if (plane_side(middle_, from, to, facet_cross(middle_, from, to), through) < 0) return false;
     }
     return true;
   }

@@ -14,18 +14,25 @@ void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
   stamp_.assign(view_.edges().size(), 0);
   last_stamp_ = 0;
   cover_.find(surface_, view_);
+  free_.look_at(view_);
   find_cuts();
-  // Facets that no outline cuts are the better places to start.
+  // Facets that nothing stands before are the best places to start, and those that no outline cuts better than others.
   const auto facets = static_cast<std::uint32_t>(states_.size());
+  for (std::uint32_t f = 0; f < facets; ++f)
+    if (states_[f].layers == unknown && nothing_before(f)) begin_walk(f);
   for (const bool of_cut : {false, true})
     for (std::uint32_t f = 0; f < facets; ++f) {
       if (states_[f].layers != unknown || (states_[f].cut != none) != of_cut) continue;
       if (!of_cut && is_covered(f)) continue;
-      if (!start(f))
-        states_[f].layers = failed;
-      else if (!walk_from(f))
-        for (const std::uint32_t g : patch_) states_[g].layers = failed;
+      begin_walk(f);
     }
+}
+
+void LayerWalk::begin_walk(std::uint32_t facet) {
+  if (!start(facet))
+    states_[facet].layers = failed;
+  else if (!walk_from(facet))
+    for (const std::uint32_t g : patch_) states_[g].layers = nothing_before(g) ? 0 : failed;
 }
 
 // Whole runs of facets lie where no outline runs.
@@ -34,7 +41,7 @@ void LayerWalk::find_cuts() {
   edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
-    if (states_[f].layers == not_wanted) return;
+    if (states_[f].layers == not_wanted || nothing_before(f)) return;
     if (!is_covered(f) && cut(f)) is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
   };
   for (std::uint32_t k = 0; k < nodes.size();) {
@@ -144,6 +151,10 @@ LayerWalk::Outlines LayerWalk::outlines_over(std::uint32_t facet) const {
 }
 
 bool LayerWalk::start(std::uint32_t facet) {
+  if (nothing_before(facet)) {
+    states_[facet].layers = 0;
+    return true;
+  }
   if (states_[facet].cut != none) {
     cut(facet);
     const auto base = base_of_cut(facet);
@@ -182,7 +193,7 @@ bool LayerWalk::walk_from(std::uint32_t facet) {
   for (std::size_t next = 0; next < patch_.size(); ++next) {
     const std::uint32_t f = patch_[next];
     const State here = states_[f];
-    agrees = agrees && (here.cut != none || here.layers >= 0);
+    agrees = agrees && (here.cut != none || here.layers >= 0) && (here.layers == 0 || !nothing_before(f));
     const auto& across = surface_.edges.across(f);
     const int facing = view_.counts(f);
     for (std::size_t side = 0; side < 3; ++side) {
