@@ -58,8 +58,14 @@ void FreeParts::sweep() {
   std::ranges::sort(boxes_, {}, &SeenPart::left);
   open_.clear();
   for (const SeenPart& p : boxes_) {
-    std::erase_if(open_, [&](const SeenPart& other) { return other.right < p.left; });
-    for (const SeenPart& other : open_) {
+    for (std::size_t k = 0; k < open_.size();) {
+      const SeenPart& other = open_[k];
+      if (other.right < p.left) {
+        open_[k] = open_.back();
+        open_.pop_back();
+        continue;
+      }
+      ++k;
       if (other.top < p.bottom || p.top < other.bottom) continue;
       if (other.near >= p.far) free_[p.part] = 0;
       if (p.near >= other.far) free_[other.part] = 0;

@@ -26,7 +26,11 @@ class FreeParts {
            (!free_.empty() && surface_->hull.nothing_of_its_part_before(facet, facing) &&
             free_[surface_->parts.of(facet)] != 0);
   }
-  [[nodiscard]] bool is_free(std::uint32_t part) const { return !free_.empty() && free_[part] != 0; }
+  // Is the facet one of a convex part that is free? All of it that faces the viewer is seen whole.
+  [[nodiscard]] bool is_seen_whole(std::uint32_t facet) const {
+    const std::uint32_t part = surface_->parts.of(facet);
+    return !free_.empty() && free_[part] != 0 && surface_->parts.is_convex(part);
+  }
   // Of the last view. Parts without a facet on their hull but not on the target's do not count: there is nothing to
   // gain.
   [[nodiscard]] std::size_t free_convex_parts() const { return free_convex_; }

@@ -7,19 +7,18 @@
 namespace lrcs {
 
 void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
-  states_.resize(wanted.size());
-  for (std::size_t f = 0; f < wanted.size(); ++f) states_[f] = {wanted[f] != 0 ? unknown : not_wanted, none};
   hidden_ = queries_ = 0;
+  cuts_.clear();
+  if (!take_free(wanted)) return;
   grid_.fill(view_.edges(), view_.rounding());
   stamp_.assign(view_.edges().size(), 0);
   last_stamp_ = 0;
   cover_.find(surface_, view_);
-  free_.look_at(view_);
   find_cuts();
   // Facets that nothing stands before are the best places to start, and those that no outline cuts better than others.
   const auto facets = static_cast<std::uint32_t>(states_.size());
   for (std::uint32_t f = 0; f < facets; ++f)
-    if (states_[f].layers == unknown && nothing_before(f)) begin_walk(f);
+    if (states_[f].layers == 0 && nothing_before(f) && !free_.is_seen_whole(f)) begin_walk(f);
   for (const bool of_cut : {false, true})
     for (std::uint32_t f = 0; f < facets; ++f) {
       if (states_[f].layers != unknown || (states_[f].cut != none) != of_cut) continue;
@@ -28,8 +27,21 @@ void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
     }
 }
 
+// Takes the facets that are wanted and tells of those that nothing stands before. False: no others are left.
+bool LayerWalk::take_free(const std::vector<std::uint8_t>& wanted) {
+  free_.look_at(view_);
+  states_.resize(wanted.size());
+  bool any_left = false;
+  for (std::uint32_t f = 0; f < wanted.size(); ++f) {
+    const int layers = wanted[f] == 0 ? not_wanted : nothing_before(f) ? 0 : unknown;
+    states_[f] = {layers, none};
+    any_left = any_left || layers == unknown;
+  }
+  return any_left;
+}
+
 void LayerWalk::begin_walk(std::uint32_t facet) {
-  if (!start(facet))
+  if (states_[facet].layers == unknown && !start(facet))
     states_[facet].layers = failed;
   else if (!walk_from(facet))
     for (const std::uint32_t g : patch_) states_[g].layers = nothing_before(g) ? 0 : failed;
@@ -41,7 +53,7 @@ void LayerWalk::find_cuts() {
   edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
-    if (states_[f].layers == not_wanted || nothing_before(f)) return;
+    if (states_[f].layers != unknown) return;
     if (!is_covered(f) && cut(f)) is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
   };
   for (std::uint32_t k = 0; k < nodes.size();) {
@@ -151,10 +163,6 @@ LayerWalk::Outlines LayerWalk::outlines_over(std::uint32_t facet) const {
 }
 
 bool LayerWalk::start(std::uint32_t facet) {
-  if (nothing_before(facet)) {
-    states_[facet].layers = 0;
-    return true;
-  }
   if (states_[facet].cut != none) {
     cut(facet);
     const auto base = base_of_cut(facet);
@@ -193,7 +201,7 @@ bool LayerWalk::walk_from(std::uint32_t facet) {
   for (std::size_t next = 0; next < patch_.size(); ++next) {
     const std::uint32_t f = patch_[next];
     const State here = states_[f];
-    agrees = agrees && (here.cut != none || here.layers >= 0) && (here.layers == 0 || !nothing_before(f));
+    agrees = agrees && (here.cut != none || here.layers >= 0);
     const auto& across = surface_.edges.across(f);
     const int facing = view_.counts(f);
     for (std::size_t side = 0; side < 3; ++side) {

@@ -87,7 +87,8 @@ class LayerWalk {
   [[nodiscard]] bool nothing_before(std::uint32_t facet) const {
     return free_.nothing_before(facet, view_.counts(facet));
   }
-  // Starts at a facet and walks from there.
+  [[nodiscard]] bool take_free(const std::vector<std::uint8_t>& wanted);
+  // Starts at a facet, unless it is known, and walks from there.
   void begin_walk(std::uint32_t facet);
   // Finds the count on one facet by counting layer by layer.
   bool start(std::uint32_t facet);

@@ -20,7 +20,7 @@ Surface::Surface(const FacetMesh& mesh)
       edges(occluders),
       contacts(occluders, tree, edges),
       of_solid(solid_facets(occluders, tree, edges, contacts)),
-      parts(occluders, edges, of_solid),
+      parts(occluders, edges),
       hull(occluders, contacts, of_solid, parts) {
   list_positions();
 }

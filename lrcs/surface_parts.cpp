@@ -2,22 +2,19 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-
 #include "lrcs/convexity.h"
 #include "lrcs/disjoint_sets.h"
 
 namespace lrcs {
 
-SurfaceParts::SurfaceParts(const Occluders& occluders, const OccluderEdges& edges,
-                           const std::vector<std::uint8_t>& of_solid)
-    : part_(occluders.size()) {
+SurfaceParts::SurfaceParts(const Occluders& occluders, const OccluderEdges& edges) : part_(occluders.size()) {
   number_parts(edges);
   list_facets();
   list_vertices(occluders);
   if (size() < 2) return;
-  tbb::parallel_for(std::uint32_t{0}, size(),
-                    [&](std::uint32_t part) { convex_[part] = is_convex_body_of(occluders, of_solid, part) ? 1 : 0; });
+  tbb::parallel_for(std::uint32_t{0}, size(), [&](std::uint32_t part) {
+    convex_[part] = is_convex_body(occluders, edges, facets(part)) ? 1 : 0;
+  });
 }
 
 SurfaceParts::SurfaceParts(const SurfaceParts& whole, const std::vector<std::uint8_t>& kept, const Occluders& occluders)
@@ -64,19 +61,6 @@ void SurfaceParts::list_vertices(const Occluders& occluders) {
       }
   }
   first_vertex_.push_back(static_cast<std::uint32_t>(vertices_.size()));
-}
-
-bool SurfaceParts::is_convex_body_of(const Occluders& occluders, const std::vector<std::uint8_t>& of_solid,
-                                     std::uint32_t part) const {
-  const auto all = facets(part);
-  if (!std::ranges::all_of(all, [&](std::uint32_t f) { return of_solid[f] != 0; })) return false;
-  FacetMesh mesh;
-  for (const std::uint32_t f : all) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    for (const std::uint32_t v : occluders.facets[f]) mesh.positions.push_back(occluders.positions[v]);
-    mesh.facets.push_back({first, first + 1, first + 2});
-  }
-  return is_convex_body(mesh);
 }
 
 }  // namespace lrcs

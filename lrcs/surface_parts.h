@@ -12,8 +12,7 @@ namespace lrcs {
 // shape: parts in the order of their first facets. Parts that touch in a vertex only both have it.
 class SurfaceParts {
  public:
-  // of_solid: solid_facets() (lrcs/solids.h).
-  SurfaceParts(const Occluders& occluders, const OccluderEdges& edges, const std::vector<std::uint8_t>& of_solid);
+  SurfaceParts(const Occluders& occluders, const OccluderEdges& edges);
   // The same parts, where only some facets are left: `occluders`. A part may have none. shape: kept: one a facet.
   SurfaceParts(const SurfaceParts& whole, const std::vector<std::uint8_t>& kept, const Occluders& occluders);
 
@@ -34,8 +33,6 @@ class SurfaceParts {
   void number_parts(const OccluderEdges& edges);
   void list_facets();
   void list_vertices(const Occluders& occluders);
-  [[nodiscard]] bool is_convex_body_of(const Occluders& occluders, const std::vector<std::uint8_t>& of_solid,
-                                       std::uint32_t part) const;
 
   std::vector<std::uint32_t> part_;  // one a facet
   std::vector<std::uint32_t> facets_, first_facet_;

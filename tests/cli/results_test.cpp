@@ -213,6 +213,9 @@ TEST_F(Sweep, ListsInputsAndOutputsWithTheirDigests) {
   EXPECT_EQ(json["directions"], 5);
   EXPECT_EQ(json["skipped"]["monostatic_directions"], 5);
   EXPECT_EQ(json["skipped"]["convex_facets"], 0);
+  EXPECT_EQ(json["skipped"]["facets_never_faced"], 0);
+  for (const char* key : {"hull_facets", "free_convex_parts", "parts_apart"})
+    EXPECT_TRUE(json["skipped"].contains(key)) << key;
   EXPECT_EQ(json["accuracy"], "exact");
   std::vector<std::string> names;
   for (const auto& output : json["outputs"]) {
