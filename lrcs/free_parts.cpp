@@ -20,7 +20,7 @@ FreeParts::FreeParts(const Surface& surface) : surface_(&surface) {
 void FreeParts::look_at(const ViewOutline& view) {
   free_convex_ = other_free_ = 0;
   if (!any_gain_) return;
-  free_ = may_gain_;
+  free_ = may_gain_;  // until something is found before it
   find_boxes(view);
   sweep();
   count();
@@ -32,6 +32,7 @@ void FreeParts::find_boxes(const ViewOutline& view) {
   const double *x = view.x(), *y = view.y(), *z = view.z(), margin = 2.0 * view.rounding();
   boxes_.clear();
   for (std::uint32_t part = 0; part < surface_->parts.size(); ++part) {
+    if (surface_->parts.vertices(part).empty()) continue;
     SeenPart box{infinity, -infinity, infinity, -infinity, infinity, -infinity, part};
     for (const std::uint32_t v : surface_->parts.vertices(part)) {
       box.left = std::min(box.left, x[v]), box.right = std::max(box.right, x[v]);

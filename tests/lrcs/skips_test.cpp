@@ -126,7 +126,7 @@ TEST(Skips, HullFacetsAndFreePartsAreCountedOverRowsAndViewers) {
 
 TEST(Skips, FacetsOfSolidsThatNoDirectionFacesAreLeftOutWhereDirectionsAreMany) {
   std::vector<Aspect> aspects;
-  for (double azimuth = 20.0; azimuth <= 70.0; azimuth += 0.5) aspects.push_back(aspect_of({azimuth, 30.0}, {}));
+  for (double azimuth = 20.0; azimuth <= 70.0; azimuth += 0.125) aspects.push_back(aspect_of({azimuth, 30.0}, {}));
   // Of each box three faces are never faced.
   EXPECT_EQ(expect_rows_as_one_by_one(two_boxes(), aspects).facets_never_faced, 2U * 6U);
   aspects.resize(10);
