@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lrcs/contacts.h"
+#include "lrcs/occluder_edges.h"
 #include "lrcs/occluders.h"
 #include "lrcs/surface_parts.h"
 
@@ -15,8 +16,8 @@ namespace lrcs {
 // solids are not asked for. check: tests/lrcs/hull_facets_test.cpp: against every vertex of small targets.
 class HullFacets {
  public:
-  HullFacets(const Occluders& occluders, const Contacts& contacts, const std::vector<std::uint8_t>& of_solid,
-             const SurfaceParts& parts);
+  HullFacets(const Occluders& occluders, const OccluderEdges& edges, const Contacts& contacts,
+             const std::vector<std::uint8_t>& of_solid, const SurfaceParts& parts);
   // The same of the facets that are kept. What is not a layer for anyone may be left out: of what is left, nothing
   // comes before a facet that did not before.
   HullFacets(const HullFacets& whole, const std::vector<std::uint8_t>& kept);

@@ -21,7 +21,7 @@ Surface::Surface(const FacetMesh& mesh)
       contacts(occluders, tree, edges),
       of_solid(solid_facets(occluders, tree, edges, contacts)),
       parts(occluders, edges),
-      hull(occluders, contacts, of_solid, parts) {
+      hull(occluders, edges, contacts, of_solid, parts) {
   list_positions();
 }
 
