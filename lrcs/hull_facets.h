@@ -12,7 +12,8 @@ namespace lrcs {
 // Facets on the convex hull of the target, or of their own part of it: no vertex of it is in front of such a facet's
 // plane, so nothing of it can stand before the facet, whatever the direction that its outer side faces.
 // laws: exact: what is said to be on a hull is. Facets that touch others are left out, for those may lie on them; so
-// are a few that it would take long to tell of (a plane full of vertices that lie in it but for rounding). Backs of
+// are some that it would take long to tell of (a plane full of vertices that lie in it but for rounding; hulls that
+// millions of facets are on). Backs of
 // solids are not asked for. check: tests/lrcs/hull_facets_test.cpp: against every vertex of small targets.
 class HullFacets {
  public:
