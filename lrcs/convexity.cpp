@@ -2,27 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <numeric>
+#include <vector>
 
-#include "lrcs/exact_height.h"
-#include "lrcs/facet_frame.h"
-#include "lrcs/occluder_edges.h"
-#include "lrcs/occluders.h"
+#include "lrcs/plane_side.h"
 
 namespace lrcs {
 namespace {
-
-int sign(double x) {
-  return (x > 0.0 ? 1 : 0) - (x < 0.0 ? 1 : 0);
-}
-
-// Which side of the plane of a, b, c the point is on: +1 in front, exactly. cross: facet_cross(a, b, c).
-int side_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& cross, const Vec3& p) {
-  const Vec3 terms = (p - a).cwiseProduct(cross);
-  // As FacetFrame::at_vertex().
-  if (std::abs(terms.sum()) > 8.0 * unit_roundoff * terms.lpNorm<1>()) return sign(terms.sum());
-  return sign(exact_height(a, b, c, p));
-}
 
 // Does a facet of the mesh as given certainly have a corner of another before it? Looks at a few facets only.
 bool has_something_before_a_facet(const FacetMesh& mesh) {
@@ -39,14 +25,17 @@ bool has_something_before_a_facet(const FacetMesh& mesh) {
   return false;
 }
 
+// Of some facets of a surface that has all that stands at their edges.
 class ConvexityCheck {
  public:
-  explicit ConvexityCheck(const FacetMesh& mesh) : occluders_(mesh), edges_(occluders_) {
-    for (const Vec3& p : occluders_.positions) middle_ += p / static_cast<double>(occluders_.positions.size());
+  ConvexityCheck(const Occluders& occluders, const OccluderEdges& edges, std::span<const std::uint32_t> facets)
+      : occluders_(occluders), edges_(edges), facets_(facets) {
+    for (const std::uint32_t f : facets)
+      for (const Vec3& p : corners(f)) middle_ += p / static_cast<double>(3 * facets.size());
   }
 
   [[nodiscard]] bool holds() const {
-    return occluders_.size() >= 4 && bends_back_at_every_edge() && has_its_middle_behind_every_facet() &&
+    return facets_.size() >= 4 && bends_back_at_every_edge() && has_its_middle_behind_every_facet() &&
            goes_round_once();
   }
 
@@ -57,7 +46,7 @@ class ConvexityCheck {
   }
   [[nodiscard]] int side(std::uint32_t facet, const Vec3& p) const {
     const auto [a, b, c] = corners(facet);
-    return side_of(a, b, c, occluders_.cross[facet], p);
+    return plane_side(a, b, c, occluders_.cross[facet], p);
   }
 
   // The facet's corner that is not at the edge.
@@ -68,46 +57,55 @@ class ConvexityCheck {
   }
 
   [[nodiscard]] bool bends_back_at_every_edge() const {
-    for (std::uint32_t e = 0; e < edges_.edges().size(); ++e) {
-      const auto uses = edges_.facets_at(e);
-      if (uses.size() != 2 || uses[0].rising == uses[1].rising) return false;
-      if (side(uses[0].facet, opposite(uses[1].facet, edges_.edges()[e])) > 0) return false;
-    }
-    return true;
+    return std::ranges::all_of(facets_, [&](std::uint32_t f) {
+      return bends_back_at(f, edges_.edge_of(f, 0)) && bends_back_at(f, edges_.edge_of(f, 1)) &&
+             bends_back_at(f, edges_.edge_of(f, 2));
+    });
+  }
+  [[nodiscard]] bool bends_back_at(std::uint32_t facet, std::uint32_t edge) const {
+    const auto uses = edges_.facets_at(edge);
+    if (uses.size() != 2 || uses[0].rising == uses[1].rising) return false;
+    // The same for both facets there.
+    return uses[0].facet != facet || side(facet, opposite(uses[1].facet, edges_.edges()[edge])) <= 0;
   }
 
   [[nodiscard]] bool has_its_middle_behind_every_facet() const {
-    for (std::uint32_t f = 0; f < occluders_.size(); ++f)
-      if (side(f, middle_) >= 0) return false;
-    return true;
+    return std::ranges::all_of(facets_, [&](std::uint32_t f) { return side(f, middle_) < 0; });
   }
 
   // The ray from the middle through a facet passes no other one. One that may pass through an edge counts too.
   [[nodiscard]] bool goes_round_once() const {
-    const auto [a, b, c] = corners(0);
+    const auto [a, b, c] = corners(facets_[0]);
     const Vec3 through = a / 3.0 + b / 3.0 + c / 3.0;
-    std::size_t passed = 0;
-    for (std::uint32_t f = 0; f < occluders_.size(); ++f) passed += is_passed(f, through) ? 1 : 0;
-    return passed == 1;
+    return std::ranges::count_if(facets_, [&](std::uint32_t f) { return is_passed(f, through); }) == 1;
   }
   [[nodiscard]] bool is_passed(std::uint32_t facet, const Vec3& through) const {
     const auto p = corners(facet);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &from = p[k], &to = p[(k + 1) % 3];
-      if (side_of(middle_, from, to, facet_cross(middle_, from, to), through) < 0) return false;
+      if (plane_side(middle_, from, to, facet_cross(middle_, from, to), through) < 0) return false;
     }
     return true;
   }
 
-  Occluders occluders_;
-  OccluderEdges edges_;
+  const Occluders& occluders_;
+  const OccluderEdges& edges_;
+  std::span<const std::uint32_t> facets_;
   Vec3 middle_ = Vec3::Zero();
 };
 
 }  // namespace
 
 bool is_convex_body(const FacetMesh& mesh) {
-  return mesh.size() >= 4 && !has_something_before_a_facet(mesh) && ConvexityCheck(mesh).holds();
+  if (mesh.size() < 4 || has_something_before_a_facet(mesh)) return false;
+  const Occluders occluders(mesh);
+  std::vector<std::uint32_t> all(occluders.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return is_convex_body(occluders, OccluderEdges(occluders), all);
+}
+
+bool is_convex_body(const Occluders& occluders, const OccluderEdges& edges, std::span<const std::uint32_t> facets) {
+  return ConvexityCheck(occluders, edges, facets).holds();
 }
 
 }  // namespace lrcs

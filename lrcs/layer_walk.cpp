@@ -7,25 +7,44 @@
 namespace lrcs {
 
 void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
-  states_.resize(wanted.size());
-  for (std::size_t f = 0; f < wanted.size(); ++f) states_[f] = {wanted[f] != 0 ? unknown : not_wanted, none};
   hidden_ = queries_ = 0;
+  cuts_.clear();
+  if (!take_free(wanted)) return;
   grid_.fill(view_.edges(), view_.rounding());
   stamp_.assign(view_.edges().size(), 0);
   last_stamp_ = 0;
   cover_.find(surface_, view_);
   find_cuts();
-  // Facets that no outline cuts are the better places to start.
+  // Facets that nothing stands before are the best places to start, and those that no outline cuts better than others.
   const auto facets = static_cast<std::uint32_t>(states_.size());
+  for (std::uint32_t f = 0; f < facets; ++f)
+    if (states_[f].layers == 0 && nothing_before(f) && !free_.is_seen_whole(f)) begin_walk(f);
   for (const bool of_cut : {false, true})
     for (std::uint32_t f = 0; f < facets; ++f) {
       if (states_[f].layers != unknown || (states_[f].cut != none) != of_cut) continue;
       if (!of_cut && is_covered(f)) continue;
-      if (!start(f))
-        states_[f].layers = failed;
-      else if (!walk_from(f))
-        for (const std::uint32_t g : patch_) states_[g].layers = failed;
+      begin_walk(f);
     }
+}
+
+// Takes the facets that are wanted and tells of those that nothing stands before. False: no others are left.
+bool LayerWalk::take_free(const std::vector<std::uint8_t>& wanted) {
+  free_.look_at(view_);
+  states_.resize(wanted.size());
+  bool any_left = false;
+  for (std::uint32_t f = 0; f < wanted.size(); ++f) {
+    const int layers = wanted[f] == 0 ? not_wanted : nothing_before(f) ? 0 : unknown;
+    states_[f] = {layers, none};
+    any_left = any_left || layers == unknown;
+  }
+  return any_left;
+}
+
+void LayerWalk::begin_walk(std::uint32_t facet) {
+  if (states_[facet].layers == unknown && !start(facet))
+    states_[facet].layers = failed;
+  else if (!walk_from(facet))
+    for (const std::uint32_t g : patch_) states_[g].layers = nothing_before(g) ? 0 : failed;
 }
 
 // Whole runs of facets lie where no outline runs.
@@ -34,7 +53,7 @@ void LayerWalk::find_cuts() {
   edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
-    if (states_[f].layers == not_wanted) return;
+    if (states_[f].layers != unknown) return;
     if (!is_covered(f) && cut(f)) is_hidden_by_many(f) ? keep_hidden(f) : keep_cut(f);
   };
   for (std::uint32_t k = 0; k < nodes.size();) {

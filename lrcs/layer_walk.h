@@ -10,6 +10,7 @@
 #include "lrcs/edge_sieve.h"
 #include "lrcs/facet_cut.h"
 #include "lrcs/facet_sight.h"
+#include "lrcs/free_parts.h"
 #include "lrcs/layer_query.h"
 #include "lrcs/surface.h"
 #include "lrcs/view_outline.h"
@@ -24,10 +25,11 @@ namespace lrcs {
 // One object a thread. source: A. Appel, Proc. 22nd ACM National Conf., 387-393, 1967 (quantitative invisibility).
 class LayerWalk {
  public:
-  explicit LayerWalk(const Surface& surface) : surface_(surface), view_(surface) {}
+  explicit LayerWalk(const Surface& surface) : surface_(surface), view_(surface), free_(surface) {}
 
   void look_along(const Vec3& toward) { view_.look_along(toward); }
   [[nodiscard]] const ViewOutline& view() const { return view_; }
+  [[nodiscard]] const FreeParts& free_parts() const { return free_; }
 
   // Counts the layers before the facets that are wanted. shape: one a facet. domain: those wanted face the viewer with
   // one side or the other.
@@ -81,6 +83,13 @@ class LayerWalk {
   // Many outlines over a facet are not kept where they leave nothing of it to be seen.
   [[nodiscard]] bool is_hidden_by_many(std::uint32_t facet);
   void keep_hidden(std::uint32_t facet);
+  // Told without looking at the view: such facets are neither cut nor queried.
+  [[nodiscard]] bool nothing_before(std::uint32_t facet) const {
+    return free_.nothing_before(facet, view_.counts(facet));
+  }
+  [[nodiscard]] bool take_free(const std::vector<std::uint8_t>& wanted);
+  // Starts at a facet, unless it is known, and walks from there.
+  void begin_walk(std::uint32_t facet);
   // Finds the count on one facet by counting layer by layer.
   bool start(std::uint32_t facet);
   // Of the facet in cut_: layers at u = -infinity.
@@ -92,6 +101,7 @@ class LayerWalk {
 
   const Surface& surface_;
   ViewOutline view_;
+  FreeParts free_;
   CoverGrid cover_;
   EdgeGrid grid_;
   EdgeSieve sieve_;

@@ -64,6 +64,9 @@ Json facets_json(const std::vector<FacetFile>& files) {
 
 Json skipped_json(const SkipCounts& skipped) {
   return {{"convex_facets", skipped.convex_facets},
+          {"hull_facets", skipped.hull_facets},
+          {"free_convex_parts", skipped.free_convex_parts},
+          {"parts_apart", skipped.parts_apart},
           {"facets_never_faced", skipped.facets_never_faced},
           {"facets_without_return", skipped.facets_without_return},
           {"repeated_directions", skipped.repeated_directions},

@@ -56,6 +56,16 @@ Occluders::Occluders(const FacetMesh& mesh) : positions(mesh.positions) {
   order_vertices();
 }
 
+Occluders::Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept) : positions(all.positions) {
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    if (kept[f] == 0) continue;
+    facets.push_back(all.facets[f]);
+    cross.push_back(all.cross[f]);
+    original.push_back(all.original[f]);
+  }
+  order_vertices();
+}
+
 void Occluders::take_facets(const FacetMesh& mesh) {
   const auto vertex = merge_equal(positions);
   scale_to_unit_size(positions, mesh);

@@ -21,6 +21,8 @@ struct Occluders {
   Vec3 centre = Vec3::Zero();
 
   explicit Occluders(const FacetMesh& mesh);
+  // Those of the facets that are kept (not 0), in the same order. shape: kept: one a facet.
+  Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept);
   [[nodiscard]] std::size_t size() const { return facets.size(); }
 
  private:

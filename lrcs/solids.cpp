@@ -2,33 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <span>
 
+#include "lrcs/disjoint_sets.h"
 #include "lrcs/facet_frame.h"
 #include "lrcs/layer_query.h"
 
 namespace lrcs {
 namespace {
-
-// Disjoint sets of facets.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 class SolidSearch {
  public:
@@ -143,7 +125,7 @@ class SolidSearch {
   const FacetTree& tree_;
   const OccluderEdges& edges_;
   const Contacts& contacts_;
-  Sets pieces_, sheets_;
+  DisjointSets pieces_, sheets_;
   std::vector<std::uint8_t> broken_;  // by a piece's root (of open sheets: a sheet's): it is no solid
 };
 

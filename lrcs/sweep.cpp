@@ -38,6 +38,7 @@ class Sweep {
     plan();
     if (convex_) compute_convex();
     if (sampled_) sample();
+    if (visibility_) leave_out_facets();
     methods_.exact = alone_.size() + batched_.size();
     tbb::parallel_for(std::size_t{0}, alone_.size(), [this](std::size_t k) { compute(alone_[k]); });
     copy_alike();
@@ -105,16 +106,30 @@ class Sweep {
     return 1;
   }
 
+  void leave_out_facets() {
+    if (alone_.empty()) return;
+    skipped_.hull_facets = visibility_->hull_facets();
+    std::vector<Vec3> viewers;
+    for (const std::size_t row : alone_) {
+      viewers.push_back(aspects_[row].to_receiver);
+      if (aspects_[row].to_transmitter != aspects_[row].to_receiver) viewers.push_back(aspects_[row].to_transmitter);
+    }
+    skipped_.facets_never_faced = visibility_->look_only_from(viewers);
+  }
+
   void compute(std::size_t row) {
     const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
     auto& [seen, section] = memory_.local();
+    VisibilityCost cost;
     if (convex_)
       seen = convex_seen_fraction(target_.mesh, di, dr);
     else
-      visibility_->seen_fraction(di, dr, seen);
+      visibility_->seen_fraction(di, dr, seen, &cost);
     cross_section(target_, seen, di, dr, section);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
+    skipped_.free_convex_parts += cost.free_convex_parts;
+    skipped_.parts_apart += cost.other_free_parts;
     if (wanted_[row]) watch_.facets(row, rows_[row], section);
     tell_done();
   }

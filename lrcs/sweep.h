@@ -31,7 +31,8 @@ struct SweepWatch {
 };
 
 // The cross section at every aspect, in the order given. Parallel over aspects.
-// What need not be done is skipped (lrcs/skips.h): a convex target's visibility; rows with an earlier row's directions,
+// What need not be done is skipped (lrcs/skips.h): a convex target's visibility; facets that nothing
+// can stand before or that no direction faces; rows with an earlier row's directions,
 // or with their images where the target is symmetric: they get its numbers. A row whose facets are wanted is computed
 // by itself, exactly. relative: sigma may be off by that part of itself; rows for which it is cheaper are sampled then
 // (lrcs/sampled_sections.h), the others exact. None: all exact. What a watcher throws ends the sweep and comes out

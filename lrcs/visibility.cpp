@@ -6,6 +6,7 @@
 
 #include "lrcs/facet_view.h"
 #include "lrcs/layer_walk.h"
+#include "lrcs/never_faced.h"
 #include "lrcs/surface.h"
 
 namespace lrcs {
@@ -99,6 +100,21 @@ Visibility::Visibility(const FacetMesh& mesh) : facets_(mesh.size()), surface_(s
 
 Visibility::~Visibility() = default;
 
+std::size_t Visibility::look_only_from(std::span<const Vec3> viewers) {
+  const auto faced = facets_ever_faced(*surface_, viewers);
+  const auto never = static_cast<std::size_t>(std::ranges::count(faced, 0));
+  // What is left is prepared anew: as long as 15 directions take, of which each is spared a tenth to a fifth.
+  constexpr std::size_t directions_to_prepare = 128;
+  if (never * viewers.size() < directions_to_prepare * faced.size()) return 0;
+  scratch_.clear();
+  surface_ = std::make_unique<const Surface>(*surface_, faced);
+  return never;
+}
+
+std::size_t Visibility::hull_facets() const {
+  return surface_->hull.size();
+}
+
 std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                 VisibilityCost* cost) const {
   std::vector<Estimate> fraction;
@@ -116,6 +132,8 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     spent.cut += scratch->walks[k].cut_facets();
     spent.hidden += scratch->walks[k].hidden_facets();
     spent.queries += scratch->walks[k].queries();
+    spent.free_convex_parts += scratch->walks[k].free_parts().free_convex_parts();
+    spent.other_free_parts += scratch->walks[k].free_parts().other_free_parts();
   }
   fraction.assign(facets_, {});
   const auto& occluders = surface_->occluders;

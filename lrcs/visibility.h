@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/estimate.h"
@@ -20,6 +21,9 @@ struct VisibilityCost {
   std::size_t hidden = 0;   // facets that a coarse look tells to be hidden
   std::size_t queries = 0;  // places where layers were counted one by one
   std::size_t clipped = 0;  // facets settled by clipping alone
+  // Parts that nothing else stood before, by viewer (lrcs/free_parts.h).
+  std::size_t free_convex_parts = 0;
+  std::size_t other_free_parts = 0;
 };
 
 // Which part of every facet the transmitter lights AND the receiver sees, exactly.
@@ -37,6 +41,13 @@ class Visibility {
   // Copies the geometry and builds what does not depend on directions.
   explicit Visibility(const FacetMesh& mesh);
   ~Visibility();
+
+  // Leaves out the facets that count for none of the viewers (unit vectors toward them) and returns their number; 0,
+  // and nothing is done, where there are too few of either to make up for it. domain of seen_fraction() from then on:
+  // those viewers. Not while another thread is at work.
+  std::size_t look_only_from(std::span<const Vec3> viewers);
+  // Facets on the target's convex hull (lrcs/hull_facets.h).
+  [[nodiscard]] std::size_t hull_facets() const;
 
   // value: fraction 0..1 of the facet's area that is lit from to_transmitter and seen from to_receiver (equal:
   // monostatic). shape: one a facet. A facet whose two sides face the one and the other, or that is seen edge-on, has

@@ -213,6 +213,11 @@ TEST_F(Sweep, ListsInputsAndOutputsWithTheirDigests) {
   EXPECT_EQ(json["directions"], 5);
   EXPECT_EQ(json["skipped"]["monostatic_directions"], 5);
   EXPECT_EQ(json["skipped"]["convex_facets"], 0);
+  // Of the body all but the side at the panel, of the panel its far end.
+  EXPECT_EQ(json["skipped"]["hull_facets"], 12);
+  EXPECT_EQ(json["skipped"]["parts_apart"], 0);
+  EXPECT_EQ(json["skipped"]["facets_never_faced"], 0);
+  EXPECT_TRUE(json["skipped"].contains("free_convex_parts"));
   EXPECT_EQ(json["accuracy"], "exact");
   std::vector<std::string> names;
   for (const auto& output : json["outputs"]) {

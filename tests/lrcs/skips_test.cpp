@@ -102,6 +102,38 @@ TEST(Skips, FacetsThatNoDirectionFacesAreLeftOut) {
   EXPECT_EQ(expect_rows_as_one_by_one(target, aspects).facets_never_faced, 0U);
 }
 
+Target two_boxes() {
+  FacetMesh mesh;
+  add_box(mesh, {0, 0, 0}, {1, 1, 1});
+  add_box(mesh, {3, 0, 0}, {4, 1, 1});
+  return target_of(mesh, lambert(0.5));
+}
+
+TEST(Skips, HullFacetsAndFreePartsAreCountedOverRowsAndViewers) {
+  std::vector<Aspect> aspects;
+  // Along x one box stands before the other; along y none does.
+  for (const double azimuth : {0.0, 90.0, 180.0, -90.0}) aspects.push_back(aspect_of({azimuth, 10.0}, {}));
+  const SkipCounts skipped = expect_rows_as_one_by_one(two_boxes(), aspects);
+  EXPECT_EQ(skipped.hull_facets, 20U);
+  EXPECT_EQ(skipped.mirror_planes, "");
+  EXPECT_EQ(skipped.free_convex_parts, 1U + 2U + 1U + 2U);
+  EXPECT_EQ(skipped.parts_apart, 0U);
+  Receiver above;
+  above.kind = Receiver::Kind::fixed;
+  above.fixed = {90.0, 80.0};
+  EXPECT_EQ(expect_rows_as_one_by_one(two_boxes(), {aspect_of({0.0, 10.0}, above)}).free_convex_parts, 1U + 2U);
+}
+
+TEST(Skips, FacetsOfSolidsThatNoDirectionFacesAreLeftOutWhereDirectionsAreMany) {
+  std::vector<Aspect> aspects;
+  for (double azimuth = 20.0; azimuth <= 70.0; azimuth += 0.125) aspects.push_back(aspect_of({azimuth, 30.0}, {}));
+  // Of each box three faces are never faced.
+  EXPECT_EQ(expect_rows_as_one_by_one(two_boxes(), aspects).facets_never_faced, 2U * 6U);
+  aspects.resize(10);
+  EXPECT_EQ(expect_rows_as_one_by_one(two_boxes(), aspects).facets_never_faced, 0U);
+  EXPECT_EQ(expect_rows_as_one_by_one(gables(), round_the_target(2.0, 25.0)).facets_never_faced, 0U);
+}
+
 TEST(Skips, FacetsOfABlackMaterialBlockAndAreSeenButReturnNothing) {
   Target target = gables();
   WuParameters<double> dark = std::get<Wu>(target.materials[0].brdf).parameters();
