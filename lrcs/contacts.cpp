@@ -35,8 +35,7 @@ class ContactSearch {
   ContactSearch(const Occluders& occluders, const OccluderEdges& edges, std::uint32_t facet)
       : occluders_(occluders), edges_(edges), frame_(occluders, facet) {
     found_.facet = facet;
-    const Vec3& cross = occluders.cross[facet];
-    frame_.turn(cross / cross.stableNorm());
+    frame_.turn_to_front();
   }
 
   void look_at(std::uint32_t other) {
@@ -149,18 +148,32 @@ Box3 box_of(const Occluders& occluders, std::uint32_t facet) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
+// A box with all places that the facet's own coordinates do not tell from places on it.
+Box3 wider_box_of(const Occluders& occluders, std::uint32_t facet, double reach) {
+  FacetFrame frame(occluders, facet);
+  frame.turn_to_front();
+  const double margin = 8.0 * frame.rounding(reach) * frame.own_reach();
+  const Box3 box = box_of(occluders, facet);
+  return {box.low.array() - margin, box.high.array() + margin};
+}
+
 void search_leaf(const Occluders& occluders, const FacetTree& tree, const OccluderEdges& edges,
                  const FacetTree::Node& leaf, std::vector<Found>& found) {
+  std::vector<Box3> own;
+  Box3 all = leaf.box;
+  for (std::uint32_t f = leaf.first; f < leaf.last; ++f) {
+    own.push_back(wider_box_of(occluders, f, tree.reach()));
+    all = {all.low.cwiseMin(own.back().low), all.high.cwiseMax(own.back().high)};
+  }
   std::vector<std::uint32_t> near;
-  tree.overlapping(leaf.box, near);
+  tree.overlapping(all, near);
   std::vector<Box3> boxes;
   boxes.reserve(near.size());
   for (const std::uint32_t f : near) boxes.push_back(box_of(occluders, f));
   for (std::uint32_t f = leaf.first; f < leaf.last; ++f) {
     ContactSearch search(occluders, edges, f);
-    const Box3 box = box_of(occluders, f);
     for (std::size_t k = 0; k < near.size(); ++k)
-      if (near[k] != f && overlap(box, boxes[k])) search.look_at(near[k]);
+      if (near[k] != f && overlap(own[f - leaf.first], boxes[k])) search.look_at(near[k]);
     Found of_facet = search.take();
     if (of_facet.any()) found.push_back(std::move(of_facet));
   }
@@ -197,7 +210,7 @@ Contacts::Contacts(const Occluders& occluders, const FacetTree& tree, const Occl
       coplanar_.insert(coplanar_.end(), of_facet.coplanar.begin(), of_facet.coplanar.end());
       passages_.insert(passages_.end(), of_facet.passages.begin(), of_facet.passages.end());
       FacetFrame frame(occluders, of_facet.facet);
-      frame.turn(occluders.cross[of_facet.facet].stableNormalized());
+      frame.turn_to_front();
       for (const std::uint32_t e : of_facet.lying) {
         edges_.push_back({e, static_cast<std::uint32_t>(sides_.size())});
         for (const FacetAtEdge& use : edges.facets_at(e))

@@ -28,6 +28,7 @@ void FacetCut::begin(const Surface& surface, const ViewOutline& view, std::uint3
   facet_ = facet;
   frame_ = FacetFrame(surface.occluders, facet);
   frame_.turn(view.frame().toward);
+  has_flat_ = false;
   error_ = std::max(frame_.rounding(frame_.own_reach()), frame_.scale_error());
   near_ = false;
   segments_.clear();
@@ -48,8 +49,12 @@ void FacetCut::add_outline(const OutlineEdge& edge) {
   if (!a.sign_is_certain()) frame_.refine(a, edge.low);
   if (!b.sign_is_certain()) frame_.refine(b, edge.high);
   if (a.height <= 0.0 && b.height <= 0.0) return;
+  settle(a, edge.low);
+  settle(b, edge.high);
   if (a.height < 0.0 || b.height < 0.0) {
-    const FacetPoint cut = frame_.passage(edge.low, edge.high, slack);
+    double error = 0.0;
+    const FacetPoint cut = flat().passage(edge.low, edge.high, error);
+    slack = std::max(slack, error);
     if (b.height < 0.0)
       add(a, corner_a, cut, -1, edge.gain, slack);
     else
@@ -57,6 +62,22 @@ void FacetCut::add_outline(const OutlineEdge& edge) {
     return;
   }
   add(a, corner_a, b, corner_b, edge.gain, slack);
+}
+
+const FacetFrame& FacetCut::flat() {
+  if (!has_flat_) {
+    flat_ = FacetFrame(surface_->occluders, facet_);
+    flat_.turn_to_front();
+    has_flat_ = true;
+  }
+  return flat_;
+}
+
+void FacetCut::settle(FacetPoint& point, std::uint32_t vertex) {
+  if (point.height != 0.0) return;
+  const FacetPoint there = flat().at_vertex(vertex);
+  point.u = there.u;
+  point.v = there.v;
 }
 
 void FacetCut::add_contacts() {
@@ -68,16 +89,16 @@ void FacetCut::add_contacts() {
     const int counted = view_->counts(passage.facet);
     // The layer lies left of the line from where its winding goes below to where it comes up, in the view.
     double error_leaves = 0.0, error_enters = 0.0;
-    const FacetPoint leaves = frame_.passage(passage.leaves.low, passage.leaves.high, error_leaves);
-    const FacetPoint enters = frame_.passage(passage.enters.low, passage.enters.high, error_enters);
+    const FacetPoint leaves = flat().passage(passage.leaves.low, passage.leaves.high, error_leaves);
+    const FacetPoint enters = flat().passage(passage.enters.low, passage.enters.high, error_enters);
     add(leaves, corner(passage.leaves), enters, corner(passage.enters), frame_.facing() > 0.0 ? -counted : counted,
         std::max(error_leaves, error_enters));
   }
   for (const auto& lying : of.edges) {
     const auto& edge = surface_->edges.edges()[lying.edge];
-    const double reach = std::max(frame_.reach(edge.low), frame_.reach(edge.high));
-    add(frame_.at_vertex(edge.low), frame_.corner(edge.low), frame_.at_vertex(edge.high), frame_.corner(edge.high),
-        gain_of(lying, surface_->contacts.sides(lying)), frame_.rounding(reach));
+    const double reach = std::max(flat().reach(edge.low), flat().reach(edge.high));
+    add(flat().at_vertex(edge.low), frame_.corner(edge.low), flat().at_vertex(edge.high), frame_.corner(edge.high),
+        gain_of(lying, surface_->contacts.sides(lying)), flat().rounding(reach));
   }
 }
 

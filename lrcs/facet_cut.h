@@ -39,6 +39,10 @@ class FacetCut {
   [[nodiscard]] bool clear_place(double height, double& u, double& v);
 
  private:
+  // Looks at the facet along its normal, for places in its plane: so they are where Contacts has them.
+  const FacetFrame& flat();
+  // Where the vertex is, if it lies in the plane.
+  void settle(FacetPoint& point, std::uint32_t vertex);
   void add(const FacetPoint& a, int corner_a, const FacetPoint& b, int corner_b, int gain, double slack);
   void close_ports(const FacetPoint& a, const FacetPoint& b, double slack);
   void push(FacetPoint a, FacetPoint b, int gain);
@@ -50,7 +54,8 @@ class FacetCut {
   const Surface* surface_ = nullptr;
   const ViewOutline* view_ = nullptr;
   std::uint32_t facet_ = 0;
-  FacetFrame frame_;
+  FacetFrame frame_, flat_;
+  bool has_flat_ = false;
   double error_ = 0.0;
   bool near_ = false;
   std::array<std::array<double, 2>, 3> ports_{};

@@ -45,6 +45,9 @@ class FacetFrame {
   [[nodiscard]] static EdgeOn edge_on(const Vec3& cross, const Vec3& direction);
   // Looks along a direction: unit vector toward the viewer.
   void turn(const Vec3& direction);
+  // Looks along the facet's own normal: nothing knows u and v of places in its plane better, and there they are the
+  // same whatever the direction.
+  void turn_to_front() { turn(cross_ / cross_.stableNorm()); }
 
   // error: u, v: rounding(reach), reach as below. Exact at the facet's own corners.
   [[nodiscard]] FacetPoint at_vertex(std::uint32_t vertex) const;

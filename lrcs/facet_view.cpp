@@ -50,8 +50,12 @@ bool FacetView::hidden_by(std::uint32_t blocker, std::uint32_t facet, std::size_
 
   double reach = 0.0;
   for (const auto id : ids) reach = std::max(reach, frame_.reach(id));
-  // Less overlap than the coordinates' rounding error is no overlap.
   const double slack = frame_.rounding(reach);
+  unsigned beyond = 7;
+  for (std::size_t k = 0; k < 3; ++k) beyond &= sides_beyond(*p[k], frame_.corner(ids[k]), slack);
+  if (beyond != 0) return false;
+  // Less overlap than the coordinates' rounding error is no overlap, within the bound that this reach gives.
+  reach_ = std::max(reach_, reach);
   const auto [u0, u1] = std::minmax({p[0]->u, p[1]->u, p[2]->u});
   const auto [v0, v1] = std::minmax({p[0]->v, p[1]->v, p[2]->v});
   const double sum0 = std::min({p[0]->u + p[0]->v, p[1]->u + p[1]->v, p[2]->u + p[2]->v});
@@ -77,7 +81,6 @@ bool FacetView::hidden_by(std::uint32_t blocker, std::uint32_t facet, std::size_
   } else if (high <= 0.0) {
     return false;
   }
-  reach_ = std::max(reach_, reach);
   if (covers && low >= 0.0) return true;
   for (std::size_t k = 0; k < 3; ++k) refine_cut(ids[k], ids[(k + 1) % 3], 64.0 * slack);
   add_outline(ids, turn, viewer);

@@ -51,7 +51,7 @@ class FacetView {
   FacetFrame frame_;
   std::vector<Seen> memo_;
   std::uint32_t stamp_ = 0;
-  double reach_ = 0.0;      // largest |x - t0| among the vertices of the layers
+  double reach_ = 0.0;      // largest |x - t0| among the vertices of what may lie over the facet
   double cut_error_ = 0.0;  // largest error of a point where an edge passes the facet's plane
   std::uint64_t next_cut_ = 0;
   std::vector<std::uint32_t> before_;

@@ -134,7 +134,7 @@ void LayerWalk::keep_cut(std::uint32_t facet) {
   states_[facet].cut = static_cast<std::uint32_t>(cuts_.size());
   Cut kept{facet, static_cast<std::uint32_t>(edges_.size()), cut_.error(), {}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
-    kept.clear[k] = cut_.port_is_clear(k);
+    kept.clear[k] = cut_.error() < hardly_known && cut_.port_is_clear(k);
     if (kept.clear[k]) kept.at_port[k] = cut_.layers_at_port(k);
   }
   cuts_.push_back(kept);

@@ -48,6 +48,8 @@ class LayerWalk {
     double error;
   };
   [[nodiscard]] Outlines outlines_over(std::uint32_t facet) const;
+  // With larger errors there is nothing to walk by.
+  static constexpr double hardly_known = 0x1p-20;
 
   // Facets cut, facets told to be hidden by a coarse look, and true counts taken, for the last direction.
   [[nodiscard]] std::size_t cut_facets() const { return cuts_.size(); }

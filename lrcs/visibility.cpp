@@ -80,9 +80,7 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   const double left_out = error_by_doubtful(facet);
   if (hidden || error == 0.0) return Estimate{hidden ? 0.0 : 1.0, std::min(1.0, 16.0 * left_out)};
   error = std::max(error, left_out);
-  // Where coordinates are hardly known there is nothing to walk by.
-  constexpr double hardly_known = 0x1p-20;
-  if (error > hardly_known) return std::nullopt;
+  if (error >= LayerWalk::hardly_known) return std::nullopt;
   const double fraction = 2.0 * count.uncovered_area(edges, error, base);
   if (count.went_negative()) return std::nullopt;
   const double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
