@@ -19,7 +19,7 @@ constexpr std::uint32_t run = 1024;
 // About ten nanoseconds each.
 std::int64_t steps_a_run(std::uint32_t facets) {
   constexpr std::uint32_t in_all = 1U << 24U, least = 64, most = 1024;
-  return run * std::clamp(in_all / std::max(facets, 1U), least, most);
+  return std::int64_t{run} * std::clamp(in_all / std::max(facets, 1U), least, most);
 }
 
 // Looks at all runs with half of the steps that there are. Those of which that is not enough share what is left: hulls
@@ -33,7 +33,7 @@ void share_steps(std::uint32_t runs, std::int64_t steps, const LookAtRun& look_a
   for (std::uint32_t k = 0; k < runs; ++k)
     if (left[k] == 0) stuck.push_back(k);
   if (stuck.empty()) return;
-  constexpr std::int64_t most = 4096 * run;
+  constexpr std::int64_t most = std::int64_t{4096} * run;
   const std::int64_t spare = std::accumulate(left.begin(), left.end(), runs * (steps / 2));
   const auto share = static_cast<int>(std::min(most, spare / static_cast<std::int64_t>(stuck.size())));
   tbb::parallel_for(std::size_t{0}, stuck.size(), [&](std::size_t k) { look_at_run(stuck[k], share); });

@@ -13,8 +13,8 @@ namespace lrcs {
 // plane, so nothing of it can stand before the facet, whatever the direction that its outer side faces.
 // laws: exact: what is said to be on a hull is. Facets that touch others are left out, for those may lie on them; so
 // are some that it would take long to tell of (a plane full of vertices that lie in it but for rounding; hulls that
-// millions of facets are on). Backs of
-// solids are not asked for. check: tests/lrcs/hull_facets_test.cpp: against every vertex of small targets.
+// millions of facets are on). Backs of solids are not asked for. check: tests/lrcs/hull_facets_test.cpp: against every
+// vertex of small targets.
 class HullFacets {
  public:
   HullFacets(const Occluders& occluders, const OccluderEdges& edges, const Contacts& contacts,
