@@ -90,6 +90,14 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
   return result;
 }
 
+namespace {
+
+std::string error_text(double error) {
+  return std::isnan(error) ? fmt::format("{:>10}", "-") : fmt::format("{:10.1e}", error);
+}
+
+}  // namespace
+
 std::string table_text(const std::vector<Summary>& of_target) {
   std::string text =
       fmt::format("  {:26}{:>11}{:>11}   {:29} {}\n", "", "", "time over", "error, root mean square", "largest error");
@@ -99,7 +107,7 @@ std::string table_text(const std::vector<Summary>& of_target) {
   for (const Summary& s : of_target) {
     fmt::format_to(std::back_inserter(text), "  {:26}{:11.2f}{:11.2f}", s.method, 1e3 * s.seconds, s.over_one_ray);
     for (const SeenSums* e : {&s.error, &s.largest_error})
-      fmt::format_to(std::back_inserter(text), "{:10.1e}{:10.1e}{:10.1e}", e->sigma_lambert, e->sigma_wu, e->seen_area);
+      for (const double error : {e->sigma_lambert, e->sigma_wu, e->seen_area}) text += error_text(error);
     text += '\n';
   }
   return text;

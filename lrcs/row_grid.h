@@ -18,9 +18,9 @@ struct RowGrid {
   double step = 0.0;       // between places of a row, and between rows
   std::uint32_t columns = 0, rows = 0;
 
-  // Of a row's places, 0..1 [steps].
+  // Of a row's places, 1/4..3/4 [steps].
   [[nodiscard]] static double offset(std::uint32_t row) {
-    return static_cast<double>(splitmix64(row + std::uint64_t{1}) >> 11U) * 0x1p-53;
+    return 0.25 + static_cast<double>(splitmix64(row + std::uint64_t{1}) >> 11U) * 0x1p-54;
   }
 };
 

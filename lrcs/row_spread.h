@@ -23,7 +23,7 @@ namespace lrcs {
     before = row.value;
   }
   squares += before * before;
-  constexpr double factor = 3.0, unmet = 2.0;
+  constexpr double factor = 2.0, unmet = 2.0;
   return {sum, factor * (std::sqrt(0.5 * squares) + unmet * largest) + doubt};
 }
 

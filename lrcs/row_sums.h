@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lrcs/facet_returns.h"
+#include "lrcs/known_returns.h"
 #include "lrcs/row_grid.h"
 #include "lrcs/row_rays.h"
 #include "lrcs/touching_facets.h"
@@ -29,19 +29,11 @@ class RowSums {
   [[nodiscard]] double largest() const { return largest_; }
 
  private:
-  // What a facet met of late returns.
-  struct Known {
-    std::uint32_t facet = Seen::nothing;
-    double value = 0.0, doubt = 0.0;
-  };
-
-  void cast_tile(const RowGrid& grid, std::uint32_t row, std::uint32_t column);
-  [[nodiscard]] const Known& known(std::uint32_t facet);
+  void cast_tile(std::uint32_t row, std::uint32_t column);
 
   RowRays rays_;
-  FacetReturns returns_;
+  KnownReturns returns_;
   const TouchingFacets& touching_;
-  std::vector<Known> known_;  // at the facet's number, modulo
   std::vector<RowSum> sums_;
   double largest_ = 0.0;
 };

@@ -4,34 +4,41 @@
 #include <cmath>
 #include <numbers>
 
+#include "lrcs/drawn_sums.h"
 #include "lrcs/embree_scene.h"
 #include "lrcs/row_spread.h"
 #include "lrcs/row_sums.h"
 #include "lrcs/touching_facets.h"
+#include "lrcs/way_costs.h"
 
 namespace lrcs {
 namespace {
 
-// What it costs, in seconds on one core of 2020: only the ratio counts. A ray through a larger tree takes longer. The
-// exact way is put low (it takes up to ten times that where outlines are many), for it leaves no error.
-double exact_cost(double facets) {
-  return 4e-3 + 0.15e-6 * facets;
-}
-double grid_cost(double facets, double size) {
-  return size * size * 10e-9 * std::pow(facets / 5e3, 0.35);
+// The bound falls as size^-3/2; for a smooth target it is about this, times sigma, at one place.
+constexpr double smooth = 8.0;
+
+double size_for(double relative, double bound_of_one_place) {
+  constexpr double least = 24.0;
+  return std::max(least, std::pow(bound_of_one_place / relative, 2.0 / 3.0));
 }
 
-// The bound falls as size^-3/2; for a smooth target it is about 15 times that, of sigma.
-double size_for(double relative, double bound_of_one_place) {
-  return std::pow(bound_of_one_place / relative, 2.0 / 3.0);
+double cost(double facets, double size, bool bistatic) {
+  const double rays = rays_cost(facets, size);
+  return bistatic ? 2.0 * rays : std::min(rays, drawing_cost(facets, size));
 }
-constexpr double smooth = 15.0, usual = 30.0;
 
 // Sampled and exact cost alike only if sampling takes this part: a grid may not be enough.
 constexpr double reserve = 1.5;
 
-bool pays(double facets, double size) {
-  return reserve * grid_cost(facets, size) < exact_cost(facets);
+bool is_cheaper(double facets, double depth, double size, bool bistatic) {
+  return reserve * cost(facets, size, bistatic) < exact_cost(facets, depth);
+}
+
+// Of the surface across a view, both sides together, over what is seen: two layers a solid.
+double depth_of(const FacetMesh& mesh, const Vec3& d, double seen_area) {
+  double across = 0.0;
+  for (std::size_t f = 0; f < mesh.size(); ++f) across += mesh.areas[f] * std::abs(mesh.normals[f].dot(d));
+  return std::max(1.0, 0.5 * across / seen_area);
 }
 
 // Of two independent estimates; weights as if the bounds fell as they should.
@@ -43,27 +50,67 @@ SampledSection combined(const SampledSection& a, double size_a, const SampledSec
 
 }  // namespace
 
-SampledSections::SampledSections(const Target& target, double relative)
-    : target_(target),
-      relative_(relative),
-      scene_(std::make_unique<const EmbreeScene>(target.mesh)),
-      touching_(std::make_unique<const TouchingFacets>(target, *scene_)),
-      grids_(target.mesh) {}
+struct SampledSections::Rays {
+  explicit Rays(const Target& target) : scene(target.mesh), touching(target, scene) {}
+  EmbreeScene scene;
+  TouchingFacets touching;
+};
+
+struct SampledSections::Memory {
+  explicit Memory(const Target& target) : drawn(target) {}
+  DrawnSums drawn;
+  std::optional<RowSums> cast;
+};
+
+SampledSections::SampledSections(const Target& target, double relative, bool bistatic)
+    : target_(target), relative_(relative), grids_(target.mesh) {
+  try_out();
+  if (!may_pay()) return;
+  const auto facets = static_cast<double>(target.mesh.size());
+  if (bistatic || rays_cost(facets, first_size()) < drawing_cost(facets, first_size()))
+    rays_ = std::make_unique<const Rays>(target);
+}
 
 SampledSections::~SampledSections() = default;
 
 bool SampledSections::may_pay(const Target& target, double relative) {
+  constexpr double deep = 2.0;
   return relative > 5.0 * float_error && target.mesh.size() > 0 &&
-         pays(static_cast<double>(target.mesh.size()), size_for(relative, smooth));
+         is_cheaper(static_cast<double>(target.mesh.size()), deep, size_for(relative, smooth), false);
 }
 
-SampledSection SampledSections::cast(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const {
-  std::unique_ptr<RowSums>& sums = sums_.local();
-  if (!sums) sums = std::make_unique<RowSums>(target_, *scene_, *touching_);
+bool SampledSections::may_pay() const {
+  return is_cheaper(static_cast<double>(target_.mesh.size()), depth_, first_size(), false);
+}
+
+double SampledSections::first_size() const {
+  return size_for(relative_, bound_of_one_place_);
+}
+
+void SampledSections::try_out() {
+  constexpr double size = 64.0;
+  bound_of_one_place_ = smooth;
+  for (const Vec3& d : {Vec3(3, 1, 2), Vec3(-1, 2, 3), Vec3(-2, -3, 1), Vec3(1, -2, -3), Vec3(2, -1, 3), Vec3(-3, 2, -1)}) {
+    const SampledSection found = sample(d.normalized(), d.normalized(), size);
+    if (found.sigma.value <= 0.0) continue;
+    const double bound = found.sigma.bound / found.sigma.value * std::pow(size, 1.5);
+    bound_of_one_place_ = std::max(bound_of_one_place_, bound);
+    depth_ = std::max(depth_, depth_of(target_.mesh, d.normalized(), found.seen_area));
+  }
+}
+
+SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const {
+  std::unique_ptr<Memory>& memory = memory_.local();
+  if (!memory) memory = std::make_unique<Memory>(target_);
   const RowGrid grid = grids_.over(to_receiver, size);
-  const auto& rows = sums->cast(grid, to_transmitter);
+  const auto facets = static_cast<double>(target_.mesh.size());
+  const bool bistatic = to_transmitter != to_receiver;
+  const bool drawn = !bistatic && (!rays_ || drawing_cost(facets, size) < rays_cost(facets, size));
+  if (!drawn && !memory->cast) memory->cast.emplace(target_, rays_->scene, rays_->touching);
+  const auto& rows = drawn ? memory->drawn.draw(grid) : memory->cast->cast(grid, to_transmitter);
+  const double largest = drawn ? memory->drawn.largest() : memory->cast->largest();
   const double side = grid.step / grids_.placement().scale * target_.mesh.metres_per_unit;
-  const Estimate sum = sum_of_rows(rows, sums->largest());
+  const Estimate sum = sum_of_rows(rows, largest);
   const double around = 4.0 * std::numbers::pi * side * side;
   double area = 0.0;
   for (const RowSum& row : rows) area += row.area;
@@ -72,16 +119,17 @@ SampledSection SampledSections::cast(const Vec3& to_transmitter, const Vec3& to_
 
 std::optional<SampledSection> SampledSections::section(const Vec3& to_transmitter, const Vec3& to_receiver) const {
   const auto facets = static_cast<double>(target_.mesh.size());
-  const double least = 32.0, farther = 1.15;
-  double size = std::max(least, size_for(relative_, usual));
-  if (!pays(facets, size)) return std::nullopt;
-  SampledSection found = cast(to_transmitter, to_receiver, size);
+  const bool bistatic = to_transmitter != to_receiver;
+  double size = first_size();
+  if (!is_cheaper(facets, depth_, size, bistatic)) return std::nullopt;
+  SampledSection found = sample(to_transmitter, to_receiver, size);
   constexpr int more = 3;
+  constexpr double farther = 1.15;
   for (int attempt = 0; found.sigma.bound > relative_ * found.sigma.value; ++attempt) {
     if (attempt == more || found.sigma.value <= 0.0) return std::nullopt;
-    const double next = farther * size * size_for(relative_, found.sigma.bound / found.sigma.value);
-    if (!pays(facets, next)) return std::nullopt;
-    const SampledSection finer = cast(to_transmitter, to_receiver, next);
+    const double next = farther * size * std::pow(found.sigma.bound / found.sigma.value / relative_, 2.0 / 3.0);
+    if (!is_cheaper(facets, depth_, next, bistatic)) return std::nullopt;
+    const SampledSection finer = sample(to_transmitter, to_receiver, next);
     found = combined(found, size, finer, next);
     size = next;
   }

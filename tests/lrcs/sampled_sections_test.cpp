@@ -18,7 +18,7 @@ FacetMesh two_spheres(double size = 1.0, const Vec3& at = Vec3::Zero()) {
 
 void expect_honest(const Target& target, double relative, bool bistatic, std::uint64_t seed) {
   ASSERT_TRUE(SampledSections::may_pay(target, relative));
-  const SampledSections sampled(target, relative);
+  const SampledSections sampled(target, relative, bistatic);
   const Visibility visibility(target.mesh);
   std::mt19937_64 random(seed);
   int found = 0;
@@ -55,7 +55,7 @@ TEST(SampledSections, CountFrontsOnlyWhereBacksReturnNothing) {
   for (auto& f : target.mesh.facets) std::swap(f[0], f[1]);
   measure_facets(target.mesh);
   const Vec3 d = Vec3(1, 2, 3).normalized();
-  EXPECT_FALSE(SampledSections(target, 2e-2).section(d, d)) << "nothing returns: exact";
+  EXPECT_FALSE(SampledSections(target, 2e-2, false).section(d, d)) << "nothing returns: exact";
 }
 
 TEST(SampledSections, DoNotTrustRaysBetweenSheetsThatLieOnEachOther) {
@@ -66,16 +66,65 @@ TEST(SampledSections, DoNotTrustRaysBetweenSheetsThatLieOnEachOther) {
   target.materials.push_back({"black", lambert(0.1), 0.0, ""});
   for (std::size_t f = target.mesh.size() / 2; f < target.mesh.size(); ++f) target.material[f] = 1;
   const Vec3 d = Vec3(0.2, 0.1, 1.0).normalized();
-  EXPECT_FALSE(SampledSections(target, 2e-2).section(d, d));
+  EXPECT_FALSE(SampledSections(target, 2e-2, false).section(d, d));
   target.material.assign(target.mesh.size(), 0);
-  EXPECT_TRUE(SampledSections(target, 2e-2).section(d, d)) << "of one material it does not matter which";
+  EXPECT_TRUE(SampledSections(target, 2e-2, false).section(d, d)) << "of one material it does not matter which";
 }
 
 TEST(SampledSections, AreNotWorthwhileForFineAccuracyOrFewFacets) {
   const Target target = target_of(two_spheres(), lambert(0.5));
   EXPECT_TRUE(SampledSections::may_pay(target, 1e-2));
-  EXPECT_FALSE(SampledSections::may_pay(target, 1e-4));
-  EXPECT_FALSE(SampledSections::may_pay(target, 1e-9));
+  EXPECT_TRUE(SampledSections(target, 1e-2, false).may_pay());
+  EXPECT_FALSE(SampledSections::may_pay(target, 1e-5));
+  EXPECT_FALSE(SampledSections(target, 1e-4, false).may_pay()) << "few outlines: exact is fast";
+  EXPECT_FALSE(SampledSections(target_of(revolved({{1.0, 0.0}, {0.2, 0.5}, {1.0, 1.0}}, 12), lambert(0.5)), 1e-2, false).may_pay());
+}
+
+// One box of many facets stands on another, of another material, and a third beside them touches both.
+Target touching_boxes() {
+  FacetMesh mesh;
+  const auto add_tiled_box = [&](const Vec3& low, const Vec3& s) {
+    const Vec3 x(s.x(), 0, 0), y(0, s.y(), 0), z(0, 0, s.z());
+    for (const auto& [p, u, v] : {std::array{low, y, x}, {Vec3(low + z), x, y}, {low, x, z}, {Vec3(low + y), z, x},
+                                  {low, z, y}, {Vec3(low + x), y, z}})
+      add_tiled_plate(mesh, p, u, v, 40);
+  };
+  add_tiled_box({0, 0, 0}, {1, 1, 0.5});
+  add_tiled_box({0.2, 0.3, 0.5}, {0.5, 0.6, 0.8});
+  add_tiled_box({1, 0, 0}, {0.4, 1, 1});
+  Target target = target_of(mesh, library("metal-skin-5p"));
+  target.materials.push_back({"white", lambert(0.9), 0.0, ""});
+  for (std::size_t f = mesh.size() / 3; f < 2 * mesh.size() / 3; ++f) target.material[f] = 1;
+  return target;
+}
+
+TEST(SampledSections, AreHonestAboutBoxesThatTouchAndDoNotDoubtWhatTheyHide) {
+  for (const Sides sides : {Sides::both, Sides::front}) {
+    Target target = touching_boxes();
+    target.sides = sides;
+    for (const bool bistatic : {false, true}) expect_honest(target, 3e-2, bistatic, 6);
+  }
+}
+
+TEST(SampledSections, AreHonestAboutPartsThatPassThroughEachOther) {
+  FacetMesh mesh = sphere(1.0, 60);
+  append(mesh, sphere(0.9, 60), {0.4, 0.3, 0.2});
+  append(mesh, sphere(0.3, 30), {-0.9, 0.0, 0.2});
+  Target target = target_of(mesh, lambert(0.5));
+  target.materials.push_back({"metal", library("metal-skin-5p"), 0.0, ""});
+  for (std::size_t f = 0; f < mesh.size(); f += 3) target.material[f] = 1;
+  for (const bool bistatic : {false, true}) expect_honest(target, 2e-2, bistatic, 7);
+}
+
+TEST(SampledSections, AreHonestAboutATriangleSoup) {
+  std::mt19937_64 random(8);
+  FacetMesh mesh;
+  for (int k = 0; k < 2500; ++k) {
+    const Vec3 p = random_direction(random);
+    add_triangle(mesh, p, p + 0.06 * random_direction(random), p + 0.06 * random_direction(random));
+  }
+  const Target target = target_of(mesh, lambert(0.5));
+  for (const bool bistatic : {false, true}) expect_honest(target, 3e-2, bistatic, 8);
 }
 
 TEST(SampledSections, MakeASweepThatIsTheSameForAnyNumberOfThreadsAndIsCounted) {

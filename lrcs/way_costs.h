@@ -1,0 +1,34 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+namespace lrcs {
+
+// What a row takes in each of the ways, in seconds on one core of 2020: only ratios count. Formulas of counts, fitted
+// to targets of 7,000 to 2,000,000 facets (docs/performance.md): so a choice does not depend on load or threads.
+// facets: of the target; size: a grid of about size x size places.
+
+// Past the caches everything takes longer.
+inline double memory_factor(double facets) {
+  return std::pow(std::max(1.0, facets / 1e5), 0.35);
+}
+
+// depth: how often fronts cover what is seen, on the average, 1 or more. The deeper, the more facets lie under outlines.
+// At a given depth targets differ by up to three.
+inline double exact_cost(double facets, double depth) {
+  const double under_outlines = std::min(1.0, (depth - 1.0) / 0.7);
+  return 0.2e-6 * facets + 200e-6 * std::sqrt(facets) * under_outlines * under_outlines;
+}
+
+// RowDrawing: facets that meet no row are passed over.
+inline double drawing_cost(double facets, double size) {
+  const double met = std::min(1.0, size / std::sqrt(facets));
+  return facets * (10e-9 + 30e-9 * met) * memory_factor(facets) + 4.5e-9 * size * size;
+}
+
+// RowRays, one direction: rays that are farther from each other than facets are large go different ways in the tree.
+inline double rays_cost(double facets, double size) {
+  return (15e-9 * size * size + 40e-9 * size * std::sqrt(facets)) * memory_factor(facets);
+}
+
+}  // namespace lrcs
