@@ -24,7 +24,7 @@ struct Baseline {
 Baseline cheapest(double error, const std::vector<Summary>& of_target) {
   std::map<std::string, std::vector<WorkPrecision>> curves;
   for (const Summary& s : of_target)
-    if (is_baseline(s.family) && s.error.sigma_wu > 0.0) curves[s.family].push_back({s.error.sigma_wu, s.seconds});
+    if (is_baseline(s.family) && s.error.sigma_wu > 0.0) curves[s.family].push_back({s.error.sigma_wu, s.least_seconds});
   Baseline best;
   for (const auto& [family, curve] : curves)
     if (const double seconds = seconds_at(error, curve); seconds < best.seconds) best = {family, seconds};
@@ -53,7 +53,7 @@ std::string line(const Summary& s, const std::vector<Summary>& of_target, const 
                  median(over));
   const Baseline best = cheapest(s.error.sigma_wu, of_target);
   if (best.seconds == never) return text + "          no baseline is as good\n";
-  fmt::format_to(std::back_inserter(text), "{:10.2f}  {}\n", s.seconds / best.seconds, best.family);
+  fmt::format_to(std::back_inserter(text), "{:10.2f}  {}\n", s.least_seconds / best.seconds, best.family);
   for (const std::string& passed : bounds.passed) text += passed;
   return text;
 }

@@ -73,9 +73,10 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
   std::vector<Summary> result;
   for (const std::string& method : groups.order) {
     const Runs& runs = groups.of_method.at(method);
-    std::vector<double> seconds, ratios;
+    std::vector<double> seconds, least, ratios;
     for (const auto& [key, times] : runs.seconds) {
       seconds.push_back(median(times));
+      least.push_back(*std::min_element(times.begin(), times.end()));
       if (reference == groups.of_method.end()) continue;
       const auto same = reference->second.seconds.find(key);
       if (same != reference->second.seconds.end()) ratios.push_back(seconds.back() / median(same->second));
@@ -84,7 +85,7 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
       return *std::max_element(errors.begin(), errors.end());
     };
     result.push_back({of_target.front().target, runs.facets, runs.family, method, runs.mark, median(seconds),
-                      ratios.empty() ? 0.0 : median(ratios), one_by_one(runs, root_mean_square),
+                      median(least), ratios.empty() ? 0.0 : median(ratios), one_by_one(runs, root_mean_square),
                       one_by_one(runs, largest)});
   }
   return result;
