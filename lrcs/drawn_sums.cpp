@@ -10,7 +10,7 @@ const std::vector<RowSum>& DrawnSums::draw(const RowGrid& grid) {
   drawing_.look_along(grid);
   returns_.look_along(grid.toward, grid.toward);
   sums_.assign(grid.rows, {});
-  largest_ = 0.0;
+  largest_ = runs_ = places_ = 0.0;
   while (drawing_.draw_more())
     for (std::uint32_t row = drawing_.first_row(); row < drawing_.last_row(); ++row) sums_[row] = sum_of(drawing_.row(row));
   return sums_;
@@ -30,6 +30,8 @@ RowSum DrawnSums::sum_of(std::span<const Drawn> row) {
     largest_ = std::max(largest_, value);
     sum.value += places * value;
     sum.area += places;
+    runs_ += 1.0;
+    places_ += places;
     if (tied > 0) sum.doubt += static_cast<double>(tied) * returns_.range_in_plane_of(facet);
   }
   return sum;

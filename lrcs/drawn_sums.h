@@ -20,13 +20,16 @@ class DrawnSums {
   // The largest value at any place of the last grid.
   [[nodiscard]] double largest() const { return largest_; }
 
+  // How often a place of it shows another facet than the one before, over the places that show any.
+  [[nodiscard]] double variety() const { return places_ > 0.0 ? runs_ / places_ : 1.0; }
+
  private:
   [[nodiscard]] RowSum sum_of(std::span<const Drawn> row);
 
   RowDrawing drawing_;
   KnownReturns returns_;
   std::vector<RowSum> sums_;
-  double largest_ = 0.0;
+  double largest_ = 0.0, runs_ = 0.0, places_ = 0.0;
 };
 
 }  // namespace lrcs

@@ -22,17 +22,8 @@ double size_for(double relative, double bound_of_one_place) {
   return std::max(least, std::pow(bound_of_one_place / relative, 2.0 / 3.0));
 }
 
-double cost(double facets, double size, bool bistatic) {
-  const double rays = rays_cost(facets, size);
-  return bistatic ? 2.0 * rays : std::min(rays, drawing_cost(facets, size));
-}
-
 // Sampled and exact cost alike only if sampling takes this part: a grid may not be enough.
 constexpr double reserve = 1.5;
-
-bool is_cheaper(double facets, double depth, double size, bool bistatic) {
-  return reserve * cost(facets, size, bistatic) < exact_cost(facets, depth);
-}
 
 // Of the surface across a view, both sides together, over what is seen: two layers a solid.
 double depth_of(const FacetMesh& mesh, const Vec3& d, double seen_area) {
@@ -66,21 +57,34 @@ SampledSections::SampledSections(const Target& target, double relative, bool bis
     : target_(target), relative_(relative), grids_(target.mesh) {
   try_out();
   if (!may_pay()) return;
-  const auto facets = static_cast<double>(target.mesh.size());
-  if (bistatic || rays_cost(facets, first_size()) < drawing_cost(facets, first_size()))
-    rays_ = std::make_unique<const Rays>(target);
+  if (bistatic || !draws(first_size())) rays_ = std::make_unique<const Rays>(target);
 }
 
 SampledSections::~SampledSections() = default;
 
 bool SampledSections::may_pay(const Target& target, double relative) {
-  constexpr double deep = 2.0;
-  return relative > 5.0 * float_error && target.mesh.size() > 0 &&
-         is_cheaper(static_cast<double>(target.mesh.size()), deep, size_for(relative, smooth), false);
+  if (relative <= 5.0 * float_error || target.mesh.size() == 0) return false;
+  const auto facets = static_cast<double>(target.mesh.size());
+  const double size = size_for(relative, smooth);
+  constexpr double deep = 2.0, few = 0.2;
+  const double cost = std::min(drawing_cost(facets, size), rays_cost(facets, size, few));
+  return reserve * cost < exact_cost(facets, deep);
 }
 
 bool SampledSections::may_pay() const {
-  return is_cheaper(static_cast<double>(target_.mesh.size()), depth_, first_size(), false);
+  return is_cheaper(first_size(), false);
+}
+
+bool SampledSections::draws(double size) const {
+  const auto facets = static_cast<double>(target_.mesh.size());
+  return drawing_cost(facets, size) < rays_cost(facets, size, variety_);
+}
+
+bool SampledSections::is_cheaper(double size, bool bistatic) const {
+  const auto facets = static_cast<double>(target_.mesh.size());
+  const double rays = rays_cost(facets, size, variety_);
+  const double cost = bistatic ? 2.0 * rays : std::min(rays, drawing_cost(facets, size));
+  return reserve * cost < exact_cost(facets, depth_);
 }
 
 double SampledSections::first_size() const {
@@ -95,6 +99,7 @@ void SampledSections::try_out() {
     if (found.sigma.value <= 0.0) continue;
     const double bound = found.sigma.bound / found.sigma.value * std::pow(size, 1.5);
     bound_of_one_place_ = std::max(bound_of_one_place_, bound);
+    variety_ = std::max(variety_, memory_.local()->drawn.variety());
     depth_ = std::max(depth_, depth_of(target_.mesh, d.normalized(), found.seen_area));
   }
 }
@@ -103,9 +108,8 @@ SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& t
   std::unique_ptr<Memory>& memory = memory_.local();
   if (!memory) memory = std::make_unique<Memory>(target_);
   const RowGrid grid = grids_.over(to_receiver, size);
-  const auto facets = static_cast<double>(target_.mesh.size());
-  const bool bistatic = to_transmitter != to_receiver;
-  const bool drawn = !bistatic && (!rays_ || drawing_cost(facets, size) < rays_cost(facets, size));
+  // Of facets that touch, rays do not know where.
+  const bool drawn = to_transmitter == to_receiver && (!rays_ || !rays_->touching.none() || draws(size));
   if (!drawn && !memory->cast) memory->cast.emplace(target_, rays_->scene, rays_->touching);
   const auto& rows = drawn ? memory->drawn.draw(grid) : memory->cast->cast(grid, to_transmitter);
   const double largest = drawn ? memory->drawn.largest() : memory->cast->largest();
@@ -118,17 +122,16 @@ SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& t
 }
 
 std::optional<SampledSection> SampledSections::section(const Vec3& to_transmitter, const Vec3& to_receiver) const {
-  const auto facets = static_cast<double>(target_.mesh.size());
   const bool bistatic = to_transmitter != to_receiver;
   double size = first_size();
-  if (!is_cheaper(facets, depth_, size, bistatic)) return std::nullopt;
+  if (!is_cheaper(size, bistatic)) return std::nullopt;
   SampledSection found = sample(to_transmitter, to_receiver, size);
   constexpr int more = 3;
   constexpr double farther = 1.15;
   for (int attempt = 0; found.sigma.bound > relative_ * found.sigma.value; ++attempt) {
     if (attempt == more || found.sigma.value <= 0.0) return std::nullopt;
     const double next = farther * size * std::pow(found.sigma.bound / found.sigma.value / relative_, 2.0 / 3.0);
-    if (!is_cheaper(facets, depth_, next, bistatic)) return std::nullopt;
+    if (!is_cheaper(next, bistatic)) return std::nullopt;
     const SampledSection finer = sample(to_transmitter, to_receiver, next);
     found = combined(found, size, finer, next);
     size = next;

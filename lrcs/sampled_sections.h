@@ -42,6 +42,8 @@ class SampledSections {
 
   void try_out();
   [[nodiscard]] double first_size() const;
+  [[nodiscard]] bool draws(double size) const;
+  [[nodiscard]] bool is_cheaper(double size, bool bistatic) const;
   [[nodiscard]] SampledSection sample(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const;
 
   const Target& target_;
@@ -49,6 +51,7 @@ class SampledSections {
   RowGrids grids_;
   double bound_of_one_place_ = 0.0;   // over sigma; the largest of some directions, so that one grid is mostly enough
   double depth_ = 1.0;                // exact_cost; the largest of them
+  double variety_ = 0.0;              // rays_cost; the largest of them
   std::unique_ptr<const Rays> rays_;  // null: not needed
   mutable tbb::enumerable_thread_specific<std::unique_ptr<Memory>> memory_;
 };

@@ -23,12 +23,13 @@ inline double exact_cost(double facets, double depth) {
 // RowDrawing: facets that meet no row are passed over.
 inline double drawing_cost(double facets, double size) {
   const double met = std::min(1.0, size / std::sqrt(facets));
-  return facets * (10e-9 + 30e-9 * met) * memory_factor(facets) + 4.5e-9 * size * size;
+  return facets * (10e-9 + 40e-9 * met) * memory_factor(facets) + 4.5e-9 * size * size;
 }
 
-// RowRays, one direction: rays that are farther from each other than facets are large go different ways in the tree.
-inline double rays_cost(double facets, double size) {
-  return (15e-9 * size * size + 40e-9 * size * std::sqrt(facets)) * memory_factor(facets);
+// RowRays, one direction: rays that meet another facet than their neighbours go other ways in the tree.
+// variety: how often a place of a coarse grid shows another facet than the one before, 0 to 1.
+inline double rays_cost(double facets, double size, double variety) {
+  return (15e-9 * size * size + 60e-9 * variety * size * std::sqrt(facets)) * memory_factor(facets);
 }
 
 }  // namespace lrcs
