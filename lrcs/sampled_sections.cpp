@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lrcs/drawn_sums.h"
 #include "lrcs/embree_scene.h"
@@ -32,6 +33,14 @@ double depth_of(const FacetMesh& mesh, const Vec3& d, double seen_area) {
   return std::max(1.0, 0.5 * across / seen_area);
 }
 
+// Where a target is looked at from first, and how finely.
+constexpr double first_look_size = 64.0;
+std::vector<Vec3> first_looks() {
+  std::vector<Vec3> looks{{3, 1, 2}, {-1, 2, 3}, {-2, -3, 1}, {1, -2, -3}, {2, -1, 3}, {-3, 2, -1}};
+  for (Vec3& d : looks) d.normalize();
+  return looks;
+}
+
 // Of two independent estimates; weights as if the bounds fell as they should.
 SampledSection combined(const SampledSection& a, double size_a, const SampledSection& b, double size_b) {
   const double part = 1.0 / (1.0 + std::pow(size_b / size_a, 3.0)), rest = 1.0 - part;
@@ -57,7 +66,10 @@ SampledSections::SampledSections(const Target& target, double relative, bool bis
     : target_(target), relative_(relative), grids_(target.mesh) {
   try_out();
   if (!may_pay()) return;
-  if (bistatic || !draws(first_size())) rays_ = std::make_unique<const Rays>(target);
+  if (!bistatic && draws(first_size())) return;
+  rays_ = std::make_unique<const Rays>(target);
+  constexpr double little = 0.2;
+  trusts_rays_ = doubt_of_rays() < little * relative;
 }
 
 SampledSections::~SampledSections() = default;
@@ -91,16 +103,32 @@ double SampledSections::first_size() const {
   return size_for(relative_, bound_of_one_place_);
 }
 
+// How much of a sum is in doubt because rays know only of whole facets that another touches them.
+double SampledSections::doubt_of_rays() const {
+  if (rays_->touching.none()) return 0.0;
+  RowSums cast(target_, rays_->scene, rays_->touching);
+  double largest = 0.0;
+  for (const Vec3& d : first_looks()) {
+    double value = 0.0, doubt = 0.0;
+    for (const RowSum& row : cast.cast(grids_.over(d, first_look_size), d)) {
+      value += row.value;
+      doubt += row.doubt;
+    }
+    if (value > 0.0) largest = std::max(largest, doubt / value);
+  }
+  return largest;
+}
+
 void SampledSections::try_out() {
-  constexpr double size = 64.0;
+  constexpr double size = first_look_size;
   bound_of_one_place_ = smooth;
-  for (const Vec3& d : {Vec3(3, 1, 2), Vec3(-1, 2, 3), Vec3(-2, -3, 1), Vec3(1, -2, -3), Vec3(2, -1, 3), Vec3(-3, 2, -1)}) {
-    const SampledSection found = sample(d.normalized(), d.normalized(), size);
+  for (const Vec3& d : first_looks()) {
+    const SampledSection found = sample(d, d, size);
     if (found.sigma.value <= 0.0) continue;
     const double bound = found.sigma.bound / found.sigma.value * std::pow(size, 1.5);
     bound_of_one_place_ = std::max(bound_of_one_place_, bound);
     variety_ = std::max(variety_, memory_.local()->drawn.variety());
-    depth_ = std::max(depth_, depth_of(target_.mesh, d.normalized(), found.seen_area));
+    depth_ = std::max(depth_, depth_of(target_.mesh, d, found.seen_area));
   }
 }
 
@@ -108,8 +136,7 @@ SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& t
   std::unique_ptr<Memory>& memory = memory_.local();
   if (!memory) memory = std::make_unique<Memory>(target_);
   const RowGrid grid = grids_.over(to_receiver, size);
-  // Of facets that touch, rays do not know where.
-  const bool drawn = to_transmitter == to_receiver && (!rays_ || !rays_->touching.none() || draws(size));
+  const bool drawn = to_transmitter == to_receiver && (!trusts_rays_ || draws(size));
   if (!drawn && !memory->cast) memory->cast.emplace(target_, rays_->scene, rays_->touching);
   const auto& rows = drawn ? memory->drawn.draw(grid) : memory->cast->cast(grid, to_transmitter);
   const double largest = drawn ? memory->drawn.largest() : memory->cast->largest();

@@ -41,6 +41,7 @@ class SampledSections {
   struct Memory;  // of a thread
 
   void try_out();
+  [[nodiscard]] double doubt_of_rays() const;
   [[nodiscard]] double first_size() const;
   [[nodiscard]] bool draws(double size) const;
   [[nodiscard]] bool is_cheaper(double size, bool bistatic) const;
@@ -53,6 +54,7 @@ class SampledSections {
   double depth_ = 1.0;                // exact_cost; the largest of them
   double variety_ = 0.0;              // rays_cost; the largest of them
   std::unique_ptr<const Rays> rays_;  // null: not needed
+  bool trusts_rays_ = false;          // of monostatic rows: where facets touch, drawing may know better
   mutable tbb::enumerable_thread_specific<std::unique_ptr<Memory>> memory_;
 };
 
