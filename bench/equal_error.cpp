@@ -24,7 +24,8 @@ struct Baseline {
 Baseline cheapest(double error, const std::vector<Summary>& of_target) {
   std::map<std::string, std::vector<WorkPrecision>> curves;
   for (const Summary& s : of_target)
-    if (is_baseline(s.family) && s.error.sigma_wu > 0.0) curves[s.family].push_back({s.error.sigma_wu, s.least_seconds});
+    if (is_baseline(s.family) && s.error.sigma_wu > 0.0)
+      curves[s.family].push_back({s.error.sigma_wu, s.least_seconds});
   Baseline best;
   for (const auto& [family, curve] : curves)
     if (const double seconds = seconds_at(error, curve); seconds < best.seconds) best = {family, seconds};

@@ -69,8 +69,8 @@ std::shared_ptr<Exact> add_exact(Methods& methods, const FacetMesh& mesh) {
                          [state](const Vec3& d) { return seen_sums(state->target.mesh, values(state->seen), d); },
                          allowed});
   methods.all.push_back({exact_to_sigma_family, "exact: cross section", "", 1.0,
-                         [state](const Vec3& d) { state->look(d); },
-                         [state](const Vec3& d) { return state->sums(d); }, allowed});
+                         [state](const Vec3& d) { state->look(d); }, [state](const Vec3& d) { return state->sums(d); },
+                         allowed});
   return state;
 }
 
@@ -103,8 +103,7 @@ void add_embree(Methods& methods, const FacetMesh& mesh, const Fineness& finenes
       "Embree", [&] { state = std::make_shared<Embree>(mesh); }, [&] { state->rays.cast(first_look, 1); }));
   for (const std::uint32_t strata : fineness.strata) {
     const std::uint32_t rays = strata * strata;
-    methods.all.push_back({facet_rays_family,
-                           rays == 1 ? one_ray : fmt::format("Embree, {} rays a facet", rays),
+    methods.all.push_back({facet_rays_family, rays == 1 ? one_ray : fmt::format("Embree, {} rays a facet", rays),
                            rays == 1 ? "1 ray" : fmt::format("{} rays", rays), static_cast<double>(rays),
                            [state, strata](const Vec3& d) { state->rays.cast(d, strata); },
                            [state, &mesh](const Vec3& d) { return seen_sums(mesh, state->rays.seen_fraction(), d); },
@@ -142,9 +141,10 @@ void add_relative(Methods& methods, const std::shared_ptr<Exact>& exact) {
     const std::string name = fmt::format("relative {:g}", relative);
     methods.all.push_back({relative_family, name, fmt::format("{:g}", relative), 1.0,
                            [state](const Vec3& d) { state->look(d); },
-                           [state](const Vec3&) { return SeenSums{unknown, state->sigma().value, unknown}; },
-                           [relative](double /*deviation*/) { return relative; },
-                           [state] { return state->bound(); }});
+                           [state](const Vec3&) {
+                             return SeenSums{unknown, state->sigma().value, unknown};
+                           },
+                           [relative](double /*deviation*/) { return relative; }, [state] { return state->bound(); }});
   }
 }
 

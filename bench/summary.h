@@ -13,7 +13,7 @@ struct Summary {
   std::string family, method, mark;
   double seconds = 0.0;
   double least_seconds = 0.0;  // the same of the shortest runs: other load only adds
-  double over_one_ray = 0.0;  // its time over that of one Embree ray a front facet, in the same direction
+  double over_one_ray = 0.0;   // its time over that of one Embree ray a front facet, in the same direction
   SeenSums error;
   SeenSums largest_error;  // over the directions
 };

@@ -12,7 +12,8 @@ const std::vector<RowSum>& DrawnSums::draw(const RowGrid& grid) {
   sums_.assign(grid.rows, {});
   largest_ = runs_ = places_ = 0.0;
   while (drawing_.draw_more())
-    for (std::uint32_t row = drawing_.first_row(); row < drawing_.last_row(); ++row) sums_[row] = sum_of(drawing_.row(row));
+    for (std::uint32_t row = drawing_.first_row(); row < drawing_.last_row(); ++row)
+      sums_[row] = sum_of(drawing_.row(row));
   return sums_;
 }
 

@@ -9,7 +9,7 @@ namespace lrcs {
 namespace {
 
 constexpr std::uint32_t places_a_band = 1U << 16U;  // with their heights they fit the cache of a core
-constexpr std::uint32_t tile = 8;  // rows and columns
+constexpr std::uint32_t tile = 8;                   // rows and columns
 constexpr double together = 0x1p-40;
 
 // The first whole number not below x. domain: 0..2^31; library calls take longer.
@@ -51,7 +51,8 @@ void RowDrawing::place() {
   }
 }
 
-// A facet stands in every band whose rows it meets, fronts before backs; most meet no row at all where facets are small.
+// A facet stands in every band whose rows it meets, fronts before backs; most meet no row at all where facets are
+// small.
 void RowDrawing::sort_into_bands() {
   const std::uint32_t bands = (grid_.rows + rows_a_band_ - 1) / rows_a_band_;
   if (fronts_.size() < bands) {

@@ -65,10 +65,10 @@ class RowDrawing {
   std::vector<double> offsets_;       // of rows
   std::uint32_t rows_a_band_ = 0, first_ = 0, last_ = 0;
   std::vector<std::vector<std::uint32_t>> fronts_, backs_;  // facets of each band
-  std::vector<double> heights_;                // of the band's places
-  std::vector<Drawn> drawn_;                   // at them
-  std::vector<double> lowest_;                 // height of a tile of them, fronts only
-  std::uint32_t tiles_ = 0;                    // side by side
+  std::vector<double> heights_;                             // of the band's places
+  std::vector<Drawn> drawn_;                                // at them
+  std::vector<double> lowest_;                              // height of a tile of them, fronts only
+  std::uint32_t tiles_ = 0;                                 // side by side
 };
 
 }  // namespace lrcs

@@ -10,8 +10,9 @@ namespace lrcs {
 // A lattice of places across what a viewer sees, in rows: x along a row and y across rows count steps. Place c of row r
 // is at x = c + offset(r), y = r + 1/2. frame: that of Placement. Rows lie along AskewAxes. Each row is shifted by an
 // amount of its own, as if at random: so rows err as if independently, which is what tells the error
-// (lrcs/row_spread.h). By up to a whole step they would err up to twice as much, not at all the bound's tail is longer;
-// a regular shift may fall in step with edges: by the golden ratio it had up to ten times the error on hubble.
+// (lrcs/row_spread.h). Shifted by up to a whole step they err up to twice as much, not shifted at all the
+// largest errors are larger; a regular shift may fall in step with edges: by the golden ratio it had up to ten times
+// the error on hubble.
 struct RowGrid {
   Vec3 right, up, toward;  // unit
   Vec3 corner;             // x = y = 0, at the height of what is nearest to the viewer

@@ -8,8 +8,6 @@
 namespace lrcs {
 namespace {
 
-
-
 static_assert(RowRays::width == packet_width);
 constexpr double before = 0.1;  // how far before the target rays start
 
@@ -20,7 +18,7 @@ struct RowRays::Packet {
   alignas(64) RTCRay16 shadow;
   alignas(64) std::array<int, width> valid;
   RTCIntersectContext context;
-  std::uint32_t row = Seen::nothing;  // of the tiles that these are of
+  std::uint32_t row = Seen::nothing;              // of the tiles that these are of
   std::array<std::array<double, width>, 3> from;  // where the rays of the tile at column 0 start
 };
 

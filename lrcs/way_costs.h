@@ -13,8 +13,8 @@ inline double memory_factor(double facets) {
   return std::pow(std::max(1.0, facets / 1e5), 0.35);
 }
 
-// depth: how often fronts cover what is seen, on the average, 1 or more. The deeper, the more facets lie under outlines.
-// At a given depth targets differ by up to three.
+// depth: how often fronts cover what is seen, on the average, 1 or more. The deeper, the more facets lie under
+// outlines. At a given depth targets differ by up to three.
 inline double exact_cost(double facets, double depth) {
   const double under_outlines = std::min(1.0, (depth - 1.0) / 0.7);
   return 0.2e-6 * facets + 200e-6 * std::sqrt(facets) * under_outlines * under_outlines;

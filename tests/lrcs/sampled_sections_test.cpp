@@ -90,7 +90,8 @@ TEST(SampledSections, DrawTheSameOfTwoEqualSheetsAsTheExactWayCounts) {
     const Vec3 d = toward.normalized();
     const auto section = SampledSections(target, 2e-2, false).section(d, d);
     ASSERT_TRUE(section);
-    EXPECT_LE(std::abs(section->sigma.value - cross_section(target, visibility, d, d).sigma.value), section->sigma.bound);
+    EXPECT_LE(std::abs(section->sigma.value - cross_section(target, visibility, d, d).sigma.value),
+              section->sigma.bound);
   }
 }
 
@@ -100,7 +101,8 @@ TEST(SampledSections, AreNotWorthwhileForFineAccuracyOrFewFacets) {
   EXPECT_TRUE(SampledSections(target, 1e-2, false).may_pay());
   EXPECT_FALSE(SampledSections::may_pay(target, 1e-5));
   EXPECT_FALSE(SampledSections(target, 1e-4, false).may_pay()) << "few outlines: exact is fast";
-  EXPECT_FALSE(SampledSections(target_of(revolved({{1.0, 0.0}, {0.2, 0.5}, {1.0, 1.0}}, 12), lambert(0.5)), 1e-2, false).may_pay());
+  EXPECT_FALSE(SampledSections(target_of(revolved({{1.0, 0.0}, {0.2, 0.5}, {1.0, 1.0}}, 12), lambert(0.5)), 1e-2, false)
+                   .may_pay());
 }
 
 // One box of many facets stands on another, of another material, and a third beside them touches both.
@@ -108,8 +110,12 @@ Target touching_boxes() {
   FacetMesh mesh;
   const auto add_tiled_box = [&](const Vec3& low, const Vec3& s) {
     const Vec3 x(s.x(), 0, 0), y(0, s.y(), 0), z(0, 0, s.z());
-    for (const auto& [p, u, v] : {std::array{low, y, x}, {Vec3(low + z), x, y}, {low, x, z}, {Vec3(low + y), z, x},
-                                  {low, z, y}, {Vec3(low + x), y, z}})
+    for (const auto& [p, u, v] : {std::array{low, y, x},
+                                  {Vec3(low + z), x, y},
+                                  {low, x, z},
+                                  {Vec3(low + y), z, x},
+                                  {low, z, y},
+                                  {Vec3(low + x), y, z}})
       add_tiled_plate(mesh, p, u, v, 40);
   };
   add_tiled_box({0, 0, 0}, {1, 1, 0.5});
