@@ -42,7 +42,8 @@ void RowRays::look_along(const RowGrid& grid, const Vec3& to_transmitter) {
 void RowRays::start_row_of_tiles(std::uint32_t row) {
   packet_->row = row;
   for (std::uint32_t k = 0; k < width; ++k) {
-    const double x = k % tile + RowGrid::offset(row + k / tile), y = row + k / tile + 0.5;
+    const std::uint32_t of_grid = row + k / tile;
+    const double x = k % tile + RowGrid::offset(of_grid), y = of_grid + 0.5;
     const Vec3 from = grid_.corner + before * grid_.toward + grid_.step * (x * grid_.right + y * grid_.up);
     for (int axis = 0; axis < 3; ++axis) packet_->from[axis][k] = from[axis];
   }
