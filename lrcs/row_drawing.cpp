@@ -47,7 +47,8 @@ void RowDrawing::place() {
   for (std::size_t k = 0; k < placed_.size(); ++k) {
     const Vec3 p = mesh_.positions[k] - origin;
     placed_[k] = {across.dot(p), up.dot(p), toward.dot(p)};
-    above_[k] = ceiling(std::max(placed_[k].y() - 0.5, 0.0));
+    // Those of no facet may lie anywhere.
+    above_[k] = ceiling(std::clamp(placed_[k].y() - 0.5, 0.0, static_cast<double>(grid_.rows)));
   }
 }
 
