@@ -115,10 +115,13 @@ TEST_F(Sweep, SamplesToARelativeAccuracyWithinItsBoundAndSaysHowManyRows) {
   ASSERT_EQ(run().status, 0);
   const Table exact = table();
   EXPECT_EQ(manifest().at("rows").at("sampled"), 0);
+  EXPECT_EQ(manifest().at("method"), "exact seen area of every facet");
   folder_.write("scene.yaml", good_scene + "accuracy: {relative: 0.01}\n");
   ASSERT_EQ(run().status, 0);
   const Table sampled = table();
   EXPECT_EQ(manifest().at("rows").at("sampled"), 5);
+  EXPECT_EQ(manifest().at("rows").at("exact"), 0);
+  EXPECT_EQ(manifest().at("method"), "row grids");
   EXPECT_EQ(manifest().at("accuracy").at("relative"), 0.01);
   for (std::size_t k = 0; k < exact.rows.size(); ++k) {
     const double sigma = sampled.rows[k][sigma_column], bound = sampled.rows[k][bound_column];
