@@ -21,6 +21,8 @@ class KnownReturns {
 
   [[nodiscard]] double of(std::uint32_t facet) { return known(facet).value; }
 
+  [[nodiscard]] double most(std::uint32_t facet) const { return returns_.most(facet); }
+
   [[nodiscard]] double range_in_plane_of(std::uint32_t facet) {
     Known& of = known(facet);
     if (of.range < 0.0) of.range = returns_.range_in_plane_of(facet);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lrcs/grazing_light.h"
 #include "lrcs/known_returns.h"
 #include "lrcs/row_grid.h"
 #include "lrcs/row_rays.h"
@@ -13,7 +14,7 @@ namespace lrcs {
 struct RowSum {
   double value = 0.0;  // of what the facets seen return (FacetReturns)
   double area = 0.0;   // of 1 where a facet is seen and lit
-  double doubt = 0.0;  // of what another facet in the same place might return more or less (TouchingFacets)
+  double doubt = 0.0;  // of what might return more or less (TouchingFacets, GrazingLight)
 };
 
 // Casts the rays of a grid, and sums along its rows.
@@ -34,6 +35,8 @@ class RowSums {
   RowRays rays_;
   KnownReturns returns_;
   const TouchingFacets& touching_;
+  GrazingLight grazing_;
+  bool bistatic_ = false;
   std::vector<RowSum> sums_;
   double largest_ = 0.0;
 };

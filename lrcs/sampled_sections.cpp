@@ -10,6 +10,7 @@
 #include "lrcs/row_spread.h"
 #include "lrcs/row_sums.h"
 #include "lrcs/touching_facets.h"
+#include "lrcs/unmet_returns.h"
 #include "lrcs/way_costs.h"
 
 namespace lrcs {
@@ -41,14 +42,25 @@ std::vector<Vec3> first_looks() {
   return looks;
 }
 
-// Of two independent estimates; weights as if the bounds fell as they should.
-SampledSection combined(const SampledSection& a, double size_a, const SampledSection& b, double size_b) {
-  const double part = 1.0 / (1.0 + std::pow(size_b / size_a, 3.0)), rest = 1.0 - part;
-  return {{part * a.sigma.value + rest * b.sigma.value, std::hypot(part * a.sigma.bound, rest * b.sigma.bound)},
-          part * a.seen_area + rest * b.seen_area};
-}
-
 }  // namespace
+
+struct SampledSections::Sample {
+  double size = 0.0;    // of the grid
+  double sigma = 0.0;   // [m^2]
+  double spread = 0.0;  // RowTotal
+  double doubt = 0.0;   // RowTotal, and that of floats
+  double unmet = 0.0;   // UnmetReturns
+  double seen_area = 0.0;
+  [[nodiscard]] double bound() const { return spread + doubt + unmet; }
+};
+
+// Of two estimates, independent as far as rows spread; weights as if the bounds fell as they should.
+SampledSections::Sample SampledSections::combined(const Sample& a, const Sample& b) {
+  const double part = 1.0 / (1.0 + std::pow(b.size / a.size, 3.0));
+  const auto mean = [&](double Sample::*of) { return part * a.*of + (1.0 - part) * b.*of; };
+  const double spread = std::hypot(part * a.spread, (1.0 - part) * b.spread);
+  return {b.size, mean(&Sample::sigma), spread, mean(&Sample::doubt), mean(&Sample::unmet), mean(&Sample::seen_area)};
+}
 
 struct SampledSections::Rays {
   explicit Rays(const Target& target) : scene(target.mesh), touching(target, scene) {}
@@ -57,8 +69,9 @@ struct SampledSections::Rays {
 };
 
 struct SampledSections::Memory {
-  explicit Memory(const Target& target) : drawn(target) {}
+  explicit Memory(const Target& target) : drawn(target), unmet(target) {}
   DrawnSums drawn;
+  UnmetReturns unmet;
   std::optional<RowSums> cast;
 };
 
@@ -95,7 +108,7 @@ bool SampledSections::draws(double size) const {
 bool SampledSections::is_cheaper(double size, bool bistatic) const {
   const auto facets = static_cast<double>(target_.mesh.size());
   const double rays = rays_cost(facets, size, variety_);
-  const double cost = bistatic ? 2.0 * rays : std::min(rays, drawing_cost(facets, size));
+  const double cost = bistatic ? 2.0 * rays + unmet_cost(facets) : std::min(rays, drawing_cost(facets, size));
   return reserve * cost < exact_cost(facets, depth_);
 }
 
@@ -123,16 +136,17 @@ void SampledSections::try_out() {
   constexpr double size = first_look_size;
   bound_of_one_place_ = smooth;
   for (const Vec3& d : first_looks()) {
-    const SampledSection found = sample(d, d, size);
-    if (found.sigma.value <= 0.0) continue;
-    const double bound = found.sigma.bound / found.sigma.value * std::pow(size, 1.5);
+    const Sample found = sample(d, d, size);
+    if (found.sigma <= 0.0) continue;
+    const double bound = found.spread / found.sigma * std::pow(size, 1.5);
     bound_of_one_place_ = std::max(bound_of_one_place_, bound);
     variety_ = std::max(variety_, memory_.local()->drawn.variety());
     depth_ = std::max(depth_, depth_of(target_.mesh, d, found.seen_area));
   }
 }
 
-SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const {
+SampledSections::Sample SampledSections::sample(const Vec3& to_transmitter, const Vec3& to_receiver,
+                                                double size) const {
   std::unique_ptr<Memory>& memory = memory_.local();
   if (!memory) memory = std::make_unique<Memory>(target_);
   const RowGrid grid = grids_.over(to_receiver, size);
@@ -141,29 +155,33 @@ SampledSection SampledSections::sample(const Vec3& to_transmitter, const Vec3& t
   const auto& rows = drawn ? memory->drawn.draw(grid) : memory->cast->cast(grid, to_transmitter);
   const double largest = drawn ? memory->drawn.largest() : memory->cast->largest();
   const double side = grid.step / grids_.placement().scale * target_.mesh.metres_per_unit;
-  const Estimate sum = sum_of_rows(rows, largest);
+  const RowTotal sum = sum_of_rows(rows, largest);
   const double around = 4.0 * std::numbers::pi * side * side;
   double area = 0.0;
   for (const RowSum& row : rows) area += row.area;
-  return {{around * sum.value, around * (sum.bound + float_error * sum.value)}, side * side * area};
+  return {size,
+          around * sum.value,
+          around * sum.spread,
+          around * (sum.doubt + float_error * sum.value),
+          around * memory->unmet.beyond(largest, to_transmitter, to_receiver, side),
+          side * side * area};
 }
 
 std::optional<SampledSection> SampledSections::section(const Vec3& to_transmitter, const Vec3& to_receiver) const {
   const bool bistatic = to_transmitter != to_receiver;
-  double size = first_size();
+  const double size = first_size();
   if (!is_cheaper(size, bistatic)) return std::nullopt;
-  SampledSection found = sample(to_transmitter, to_receiver, size);
+  Sample found = sample(to_transmitter, to_receiver, size);
   constexpr int more = 3;
   constexpr double farther = 1.15;
-  for (int attempt = 0; found.sigma.bound > relative_ * found.sigma.value; ++attempt) {
-    if (attempt == more || found.sigma.value <= 0.0) return std::nullopt;
-    const double next = farther * size * std::pow(found.sigma.bound / found.sigma.value / relative_, 2.0 / 3.0);
+  for (int attempt = 0; found.bound() > relative_ * found.sigma; ++attempt) {
+    if (attempt == more || found.doubt >= relative_ * found.sigma) return std::nullopt;
+    const double next = farther * found.size * std::pow(found.bound() / found.sigma / relative_, 2.0 / 3.0);
     if (!is_cheaper(next, bistatic)) return std::nullopt;
-    const SampledSection finer = sample(to_transmitter, to_receiver, next);
-    found = combined(found, size, finer, next);
-    size = next;
+    found = combined(found, sample(to_transmitter, to_receiver, next));
   }
-  return found.sigma.value > 0.0 ? std::optional(found) : std::nullopt;
+  if (found.sigma <= 0.0) return std::nullopt;
+  return SampledSection{{found.sigma, found.bound()}, found.seen_area};
 }
 
 }  // namespace lrcs

@@ -39,13 +39,15 @@ class SampledSections {
  private:
   struct Rays;    // what they need, for all threads
   struct Memory;  // of a thread
+  struct Sample;  // by one grid, or several
 
   void try_out();
   [[nodiscard]] double doubt_of_rays() const;
   [[nodiscard]] double first_size() const;
   [[nodiscard]] bool draws(double size) const;
   [[nodiscard]] bool is_cheaper(double size, bool bistatic) const;
-  [[nodiscard]] SampledSection sample(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const;
+  [[nodiscard]] static Sample combined(const Sample& a, const Sample& b);
+  [[nodiscard]] Sample sample(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const;
 
   const Target& target_;
   double relative_;

@@ -32,4 +32,9 @@ inline double rays_cost(double facets, double size, double variety) {
   return (15e-9 * size * size + 60e-9 * variety * size * std::sqrt(facets)) * memory_factor(facets);
 }
 
+// UnmetReturns, of two directions; of one it is hardly noticed.
+inline double unmet_cost(double facets) {
+  return 40e-9 * facets;
+}
+
 }  // namespace lrcs

@@ -160,9 +160,9 @@ TEST(SampledSections, HaveHonestBoundsForATriangleSoup) {
     for (const double size : {32.0, 128.0}) {
       const RowGrid grid = grids.over(dr, size);
       const double side = grid.step / grids.placement().scale, around = 4.0 * std::numbers::pi * side * side;
-      const auto expect_within = [&](const Estimate& sum, const Vec3& to_transmitter) {
+      const auto expect_within = [&](const RowTotal& sum, const Vec3& to_transmitter) {
         const double truth = cross_section(target, visibility, to_transmitter, dr).sigma.value;
-        EXPECT_LE(std::abs(around * sum.value - truth), around * sum.bound) << k << ' ' << size;
+        EXPECT_LE(std::abs(around * sum.value - truth), around * sum.bound()) << k << ' ' << size;
       };
       expect_within(sum_of_rows(drawn.draw(grid), drawn.largest()), dr);
       expect_within(sum_of_rows(cast.cast(grid, di), cast.largest()), di);
