@@ -31,8 +31,8 @@ struct RowTotal {
     before = row.value;
   }
   squares += before * before;
-  constexpr double factor = 2.0, unmet = 2.0;
-  total.spread = factor * (std::sqrt(0.5 * squares) + unmet * largest);
+  constexpr double factor = 2.5, unmet = 4.0;
+  total.spread = factor * std::sqrt(0.5 * squares) + unmet * largest;
   return total;
 }
 

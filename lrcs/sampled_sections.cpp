@@ -17,7 +17,7 @@ namespace lrcs {
 namespace {
 
 // The bound falls as size^-3/2; for a smooth target it is about this, times sigma, at one place.
-constexpr double smooth = 8.0;
+constexpr double smooth = 9.5;
 
 double size_for(double relative, double bound_of_one_place) {
   constexpr double least = 24.0;

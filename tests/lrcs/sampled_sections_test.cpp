@@ -55,6 +55,21 @@ TEST(SampledSections, HoldForTinyTargetsAndThoseFarFromTheOrigin) {
   expect_honest(target_of(two_spheres(1.0, {1e6, -2e6, 1e6}), lambert(0.5)), 2e-2, false, 4);
 }
 
+TEST(SampledSections, DoNotChangeForVerticesOfNoFacet) {
+  const Target target = target_of(two_spheres(), library("metal-skin-5p"));
+  Target strayed = target;
+  strayed.mesh.positions.push_back({1e5, 0, 0});
+  strayed.mesh.positions.push_back({0, 1e12, -1e12});
+  const Vec3 d = Vec3(1, 2, 3).normalized(), other = Vec3(1, 2, 2).normalized();
+  for (const Vec3& di : {d, other}) {
+    const auto one = SampledSections(target, 1e-2, true).section(di, d);
+    const auto two = SampledSections(strayed, 1e-2, true).section(di, d);
+    ASSERT_TRUE(one && two);
+    EXPECT_EQ(one->sigma.value, two->sigma.value);
+    EXPECT_EQ(one->sigma.bound, two->sigma.bound);
+  }
+}
+
 TEST(SampledSections, CountFrontsOnlyWhereBacksReturnNothing) {
   Target target = target_of(two_spheres(), lambert(0.5));
   target.sides = Sides::front;
