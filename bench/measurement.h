@@ -16,8 +16,9 @@ struct Measurement {
   std::string family, method, mark;
   int run = 0;
   double seconds = 0.0;
-  SeenSums error;    // relative to the exact one
-  SeenSums allowed;  // Method::allowed
+  SeenSums error;      // relative to the exact one; NaN where the method does not know that sum
+  SeenSums allowed;    // Method::allowed
+  double bound = 0.0;  // Method::bound; 0 where it gives none
 };
 
 struct Plan {

@@ -73,9 +73,10 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
   std::vector<Summary> result;
   for (const std::string& method : groups.order) {
     const Runs& runs = groups.of_method.at(method);
-    std::vector<double> seconds, ratios;
+    std::vector<double> seconds, least, ratios;
     for (const auto& [key, times] : runs.seconds) {
       seconds.push_back(median(times));
+      least.push_back(*std::min_element(times.begin(), times.end()));
       if (reference == groups.of_method.end()) continue;
       const auto same = reference->second.seconds.find(key);
       if (same != reference->second.seconds.end()) ratios.push_back(seconds.back() / median(same->second));
@@ -84,11 +85,19 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
       return *std::max_element(errors.begin(), errors.end());
     };
     result.push_back({of_target.front().target, runs.facets, runs.family, method, runs.mark, median(seconds),
-                      ratios.empty() ? 0.0 : median(ratios), one_by_one(runs, root_mean_square),
+                      median(least), ratios.empty() ? 0.0 : median(ratios), one_by_one(runs, root_mean_square),
                       one_by_one(runs, largest)});
   }
   return result;
 }
+
+namespace {
+
+std::string error_text(double error) {
+  return std::isnan(error) ? fmt::format("{:>10}", "-") : fmt::format("{:10.1e}", error);
+}
+
+}  // namespace
 
 std::string table_text(const std::vector<Summary>& of_target) {
   std::string text =
@@ -99,7 +108,7 @@ std::string table_text(const std::vector<Summary>& of_target) {
   for (const Summary& s : of_target) {
     fmt::format_to(std::back_inserter(text), "  {:26}{:11.2f}{:11.2f}", s.method, 1e3 * s.seconds, s.over_one_ray);
     for (const SeenSums* e : {&s.error, &s.largest_error})
-      fmt::format_to(std::back_inserter(text), "{:10.1e}{:10.1e}{:10.1e}", e->sigma_lambert, e->sigma_wu, e->seen_area);
+      for (const double error : {e->sigma_lambert, e->sigma_wu, e->seen_area}) text += error_text(error);
     text += '\n';
   }
   return text;

@@ -12,7 +12,8 @@ struct Summary {
   std::size_t facets = 0;
   std::string family, method, mark;
   double seconds = 0.0;
-  double over_one_ray = 0.0;  // its time over that of one Embree ray a front facet, in the same direction
+  double least_seconds = 0.0;  // the same of the shortest runs: other load only adds
+  double over_one_ray = 0.0;   // its time over that of one Embree ray a front facet, in the same direction
   SeenSums error;
   SeenSums largest_error;  // over the directions
 };

@@ -4,7 +4,15 @@
 #include <cmath>
 #include <variant>
 
+#include "lrcs/return_error.h"
+
 namespace lrcs {
+namespace {
+
+// Even as large as the target it would be narrower than floats tell: what rays meet of it is chance.
+constexpr double edge_on = 0x1p-30;
+
+}  // namespace
 
 void FacetReturns::look_along(const Vec3& to_transmitter, const Vec3& to_receiver) {
   wi_ = to_transmitter;
@@ -19,10 +27,7 @@ void FacetReturns::look_along(const Vec3& to_transmitter, const Vec3& to_receive
         material.brdf));
 }
 
-// n: toward the receiver.
 double FacetReturns::of_material(std::size_t material, const Vec3& n) const {
-  // Even as large as the target it would be narrower than floats tell: what rays meet of it is chance.
-  constexpr double edge_on = 0x1p-30;
   const double cos_r = n.dot(wr_);
   return cos_r > edge_on ? models_[material](n) / cos_r : 0.0;
 }
@@ -31,6 +36,16 @@ double FacetReturns::of(std::uint32_t facet) const {
   const Vec3& n = target_.mesh.normals[facet];
   if (n.dot(wr_) >= 0.0) return of_material(target_.material[facet], n);
   return target_.sides == Sides::front ? 0.0 : of_material(target_.material[facet], -n);
+}
+
+double FacetReturns::most(std::uint32_t facet) const {
+  const Vec3& n = target_.mesh.normals[facet];
+  if (wi_ == wr_ || std::abs(n.dot(wi_)) > doubtful_cosine) return of(facet);
+  if (is_exactly_edge_on(n, wi_)) return 0.0;
+  const double cos_r = std::abs(n.dot(wr_));
+  if (cos_r <= edge_on) return 0.0;
+  const auto& model = models_[target_.material[facet]];
+  return largest_edge_on(model, n, wi_, wr_, target_.sides == Sides::front) / cos_r;
 }
 
 double FacetReturns::range_in_plane_of(std::uint32_t facet) const {

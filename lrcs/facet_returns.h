@@ -20,12 +20,16 @@ class FacetReturns {
   // domain: both directions on one side of the facet.
   [[nodiscard]] double of(std::uint32_t facet) const;
 
+  // The same; the most that either side may return where the transmitter sees it edge-on, as far as doubles tell.
+  [[nodiscard]] double most(std::uint32_t facet) const;
+
+  // Of a facet of this material. n: its normal, toward the receiver.
+  [[nodiscard]] double of_material(std::size_t material, const Vec3& n) const;
+
   // The largest difference between this and what any other facet in its plane may return, of whatever material.
   [[nodiscard]] double range_in_plane_of(std::uint32_t facet) const;
 
  private:
-  [[nodiscard]] double of_material(std::size_t material, const Vec3& n) const;
-
   const Target& target_;
   Vec3 wi_, wr_;
   std::vector<std::function<double(const Vec3& n)>> models_;  // one a material: f_r cos_i cos_r of a normal

@@ -76,6 +76,12 @@ Json skipped_json(const SkipCounts& skipped) {
           {"fixed_gamma_directions", skipped.fixed_gamma_directions}};
 }
 
+// What was done, not what was allowed.
+std::string method_of(const MethodCounts& rows) {
+  if (rows.sampled == 0) return "exact seen area of every facet";
+  return rows.exact == 0 ? "row grids" : "row grids, and exact seen area of every facet";
+}
+
 }  // namespace
 
 std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts) {
@@ -92,7 +98,7 @@ std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const 
                   {"directions", scene.directions.size()},
                   {"receiver", receiver_json(scene.receiver)},
                   {"accuracy", scene.relative_accuracy ? Json{{"relative", *scene.relative_accuracy}} : Json("exact")},
-                  {"method", facts.methods.sampled == 0 ? "exact seen area of every facet" : "ray grids, and exact"},
+                  {"method", method_of(facts.methods)},
                   {"rows", {{"exact", facts.methods.exact}, {"sampled", facts.methods.sampled}}},
                   {"threads", facts.threads},
                   {"seconds", {{"read", facts.read_seconds}, {"sweep", facts.sweep_seconds}}},

@@ -19,17 +19,13 @@ struct Seen {
   [[nodiscard]] bool any() const { return facet != nothing; }
 };
 
-// A place of a row grid, in its steps.
-struct GridPlace {
-  double x = 0.0, y = 0.0;
-};
-
 // Rays from the receiver through places of a row grid, in packets; from what they meet, where the transmitter stands
 // elsewhere, rays on to it. A facet is lit only if both look at the same side of it.
 // error: Embree's: floats around 1. Where two facets are nearer to each other than 1e-6 of the target either is met.
 class RowRays {
  public:
-  static constexpr std::size_t width = 16;
+  static constexpr std::uint32_t tile = 4;  // rows and places of a row that are cast together
+  static constexpr std::size_t width = std::size_t{tile} * tile;
 
   // Keeps references.
   RowRays(const FacetMesh& mesh, const EmbreeScene& scene);
@@ -37,18 +33,20 @@ class RowRays {
 
   void look_along(const RowGrid& grid, const Vec3& to_transmitter);
 
-  // What stands at the first `count` places. They should be neighbours: far apart
-  // rays take ten times as long.
-  void cast(const std::array<GridPlace, width>& places, std::size_t count, std::array<Seen, width>& seen);
+  // What stands at the places of `tile` rows and columns, row by row; nothing where the grid ends.
+  // domain: `row` a multiple of `tile`.
+  void cast(std::uint32_t row, std::uint32_t column, std::array<Seen, width>& seen);
 
  private:
   struct Packet;
-  void light(std::size_t count, std::array<Seen, width>& seen);
+  void start(std::uint32_t row, std::uint32_t column);
+  void start_row_of_tiles(std::uint32_t row);
+  void light(std::array<Seen, width>& seen);
 
   const FacetMesh& mesh_;
   const EmbreeScene& scene_;
   std::unique_ptr<Packet> packet_;
-  Vec3 from_, along_x_, along_y_;  // placed: of x = y = 0, before the target; a step each
+  RowGrid grid_;
   Vec3 to_transmitter_, to_receiver_;
   bool bistatic_ = false;
 };

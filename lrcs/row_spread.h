@@ -2,29 +2,38 @@
 #include <cmath>
 #include <vector>
 
-#include "base/estimate.h"
 #include "lrcs/row_sums.h"
 
 namespace lrcs {
 
-// The sum of a grid's rows, and a bound of its error told from how neighbouring rows differ.
-// value: bound = 3 [sqrt(Sum (difference of neighbours)^2 / 2) + 2 largest] + doubt. Were rows independent, the root
-//   would be at least the standard deviation of the sum: what really changes from row to row adds to it. The second
-//   term is for what no place has met: two places of the largest value. The factor is calibrated: among 10,798 cases of
-//   9 targets, 10 sizes of grid and random pairs of directions the error never was more than 1.45 brackets, the median
-//   0.18.
-// unit: that of the rows.
-[[nodiscard]] inline Estimate sum_of_rows(const std::vector<RowSum>& rows, double largest) {
-  double sum = 0.0, doubt = 0.0, squares = 0.0, before = 0.0;
+// The sum of a grid's rows, and what it may be off by. unit: that of the rows.
+struct RowTotal {
+  double value = 0.0;
+  double spread = 0.0;  // an estimate; falls with finer grids
+  double doubt = 0.0;   // the rows', sure; does not
+  [[nodiscard]] double bound() const { return spread + doubt; }
+};
+
+// The error is told from how neighbouring rows differ.
+// value: spread = 2 [sqrt(Sum (difference of neighbours)^2 / 2) + 2 largest]. Were rows independent, the root would be
+// at
+//   least the standard deviation of the sum: what really changes from row to row adds to it. The second term is for
+//   what no place has met: two places of the largest value that any has; for what returns more see UnmetReturns. The
+//   factor is calibrated: among 2,160 grids of 9 targets, 6 sizes and 40 random directions, monostatic, the error never
+//   was more than 1.09 brackets, the median 0.17.
+[[nodiscard]] inline RowTotal sum_of_rows(const std::vector<RowSum>& rows, double largest) {
+  RowTotal total;
+  double squares = 0.0, before = 0.0;
   for (const RowSum& row : rows) {
-    sum += row.value;
-    doubt += row.doubt;
+    total.value += row.value;
+    total.doubt += row.doubt;
     squares += (row.value - before) * (row.value - before);
     before = row.value;
   }
   squares += before * before;
-  constexpr double factor = 3.0, unmet = 2.0;
-  return {sum, factor * (std::sqrt(0.5 * squares) + unmet * largest) + doubt};
+  constexpr double factor = 2.5, unmet = 4.0;
+  total.spread = factor * std::sqrt(0.5 * squares) + unmet * largest;
+  return total;
 }
 
 }  // namespace lrcs

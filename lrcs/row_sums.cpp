@@ -5,56 +5,41 @@
 #include "lrcs/embree_scene.h"
 
 namespace lrcs {
-namespace {
-
-constexpr std::uint32_t tile = 4;  // rows and places of what one packet holds
-static_assert(std::size_t{tile} * tile == RowRays::width);
-constexpr std::size_t known_facets = 1024;
-
-}  // namespace
 
 RowSums::RowSums(const Target& target, const EmbreeScene& scene, const TouchingFacets& touching)
-    : rays_(target.mesh, scene), returns_(target), touching_(touching), known_(known_facets) {}
+    : rays_(target.mesh, scene),
+      returns_(target),
+      touching_(touching),
+      grazing_(target.mesh, scene.placement().scale) {}
 
 const std::vector<RowSum>& RowSums::cast(const RowGrid& grid, const Vec3& to_transmitter) {
   const FlushDenormals flush;
   rays_.look_along(grid, to_transmitter);
   returns_.look_along(to_transmitter, grid.toward);
-  std::fill(known_.begin(), known_.end(), Known{});
+  grazing_.look_along(to_transmitter, grid.toward);
+  bistatic_ = to_transmitter != grid.toward;
   sums_.assign(grid.rows, {});
   largest_ = 0.0;
-  for (std::uint32_t row = 0; row < grid.rows; row += tile)
-    for (std::uint32_t column = 0; column < grid.columns; column += tile) cast_tile(grid, row, column);
+  for (std::uint32_t row = 0; row < grid.rows; row += RowRays::tile)
+    for (std::uint32_t column = 0; column < grid.columns; column += RowRays::tile) cast_tile(row, column);
   return sums_;
 }
 
-void RowSums::cast_tile(const RowGrid& grid, std::uint32_t row, std::uint32_t column) {
-  std::array<GridPlace, RowRays::width> places;
-  std::array<std::uint32_t, RowRays::width> rows{};
+void RowSums::cast_tile(std::uint32_t row, std::uint32_t column) {
   std::array<Seen, RowRays::width> seen;
-  std::size_t count = 0;
-  for (std::uint32_t r = row; r < std::min(row + tile, grid.rows); ++r)
-    for (std::uint32_t c = column; c < std::min(column + tile, grid.columns); ++c) {
-      places[count] = {c + grid.offset(r), r + 0.5};
-      rows[count++] = r;
-    }
-  rays_.cast(places, count, seen);
-  for (std::size_t k = 0; k < count; ++k) {
+  rays_.cast(row, column, seen);
+  for (std::uint32_t k = 0; k < RowRays::width; ++k) {
+    if (!seen[k].any()) continue;
+    RowSum& sum = sums_[row + k / RowRays::tile];
+    if (const double part = bistatic_ ? grazing_.doubtful_part(seen[k].facet) : 0.0; part > 0.0)
+      sum.doubt += part * returns_.most(seen[k].facet);
     if (!seen[k].lit) continue;
-    const Known& facet = known(seen[k].facet);
-    largest_ = std::max(largest_, facet.value);
-    RowSum& sum = sums_[rows[k]];
-    sum.value += facet.value;
+    const double value = returns_.of(seen[k].facet);
+    largest_ = std::max(largest_, value);
+    sum.value += value;
     sum.area += 1.0;
-    sum.doubt += facet.doubt;
+    if (touching_.any(seen[k].facet)) sum.doubt += returns_.range_in_plane_of(seen[k].facet);
   }
-}
-
-const RowSums::Known& RowSums::known(std::uint32_t facet) {
-  Known& known = known_[facet % known_facets];
-  if (known.facet != facet)
-    known = {facet, returns_.of(facet), touching_.any(facet) ? returns_.range_in_plane_of(facet) : 0.0};
-  return known;
 }
 
 }  // namespace lrcs

@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lrcs/facet_returns.h"
+#include "lrcs/grazing_light.h"
+#include "lrcs/known_returns.h"
 #include "lrcs/row_grid.h"
 #include "lrcs/row_rays.h"
 #include "lrcs/touching_facets.h"
@@ -13,7 +14,7 @@ namespace lrcs {
 struct RowSum {
   double value = 0.0;  // of what the facets seen return (FacetReturns)
   double area = 0.0;   // of 1 where a facet is seen and lit
-  double doubt = 0.0;  // of what another facet in the same place might return more or less (TouchingFacets)
+  double doubt = 0.0;  // of what might return more or less (TouchingFacets, GrazingLight)
 };
 
 // Casts the rays of a grid, and sums along its rows.
@@ -29,19 +30,13 @@ class RowSums {
   [[nodiscard]] double largest() const { return largest_; }
 
  private:
-  // What a facet met of late returns.
-  struct Known {
-    std::uint32_t facet = Seen::nothing;
-    double value = 0.0, doubt = 0.0;
-  };
-
-  void cast_tile(const RowGrid& grid, std::uint32_t row, std::uint32_t column);
-  [[nodiscard]] const Known& known(std::uint32_t facet);
+  void cast_tile(std::uint32_t row, std::uint32_t column);
 
   RowRays rays_;
-  FacetReturns returns_;
+  KnownReturns returns_;
   const TouchingFacets& touching_;
-  std::vector<Known> known_;  // at the facet's number, modulo
+  GrazingLight grazing_;
+  bool bistatic_ = false;
   std::vector<RowSum> sums_;
   double largest_ = 0.0;
 };

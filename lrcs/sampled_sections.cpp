@@ -3,89 +3,185 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "lrcs/drawn_sums.h"
 #include "lrcs/embree_scene.h"
 #include "lrcs/row_spread.h"
 #include "lrcs/row_sums.h"
 #include "lrcs/touching_facets.h"
+#include "lrcs/unmet_returns.h"
+#include "lrcs/way_costs.h"
 
 namespace lrcs {
 namespace {
 
-// What it costs, in seconds on one core of 2020: only the ratio counts. A ray through a larger tree takes longer. The
-// exact way is put low (it takes up to ten times that where outlines are many), for it leaves no error.
-double exact_cost(double facets) {
-  return 4e-3 + 0.15e-6 * facets;
-}
-double grid_cost(double facets, double size) {
-  return size * size * 10e-9 * std::pow(facets / 5e3, 0.35);
-}
+// The bound falls as size^-3/2; for a smooth target it is about this, times sigma, at one place.
+constexpr double smooth = 9.5;
 
-// The bound falls as size^-3/2; for a smooth target it is about 15 times that, of sigma.
 double size_for(double relative, double bound_of_one_place) {
-  return std::pow(bound_of_one_place / relative, 2.0 / 3.0);
+  constexpr double least = 24.0;
+  return std::max(least, std::pow(bound_of_one_place / relative, 2.0 / 3.0));
 }
-constexpr double smooth = 15.0, usual = 30.0;
 
 // Sampled and exact cost alike only if sampling takes this part: a grid may not be enough.
 constexpr double reserve = 1.5;
 
-bool pays(double facets, double size) {
-  return reserve * grid_cost(facets, size) < exact_cost(facets);
+// Of the surface across a view, both sides together, over what is seen: two layers a solid.
+double depth_of(const FacetMesh& mesh, const Vec3& d, double seen_area) {
+  double across = 0.0;
+  for (std::size_t f = 0; f < mesh.size(); ++f) across += mesh.areas[f] * std::abs(mesh.normals[f].dot(d));
+  return std::max(1.0, 0.5 * across / seen_area);
 }
 
-// Of two independent estimates; weights as if the bounds fell as they should.
-SampledSection combined(const SampledSection& a, double size_a, const SampledSection& b, double size_b) {
-  const double part = 1.0 / (1.0 + std::pow(size_b / size_a, 3.0)), rest = 1.0 - part;
-  return {{part * a.sigma.value + rest * b.sigma.value, std::hypot(part * a.sigma.bound, rest * b.sigma.bound)},
-          part * a.seen_area + rest * b.seen_area};
+// Where a target is looked at from first, and how finely.
+constexpr double first_look_size = 64.0;
+std::vector<Vec3> first_looks() {
+  std::vector<Vec3> looks{{3, 1, 2}, {-1, 2, 3}, {-2, -3, 1}, {1, -2, -3}, {2, -1, 3}, {-3, 2, -1}};
+  for (Vec3& d : looks) d.normalize();
+  return looks;
 }
 
 }  // namespace
 
-SampledSections::SampledSections(const Target& target, double relative)
-    : target_(target),
-      relative_(relative),
-      scene_(std::make_unique<const EmbreeScene>(target.mesh)),
-      touching_(std::make_unique<const TouchingFacets>(target, *scene_)),
-      grids_(target.mesh) {}
+struct SampledSections::Sample {
+  double size = 0.0;    // of the grid
+  double sigma = 0.0;   // [m^2]
+  double spread = 0.0;  // RowTotal
+  double doubt = 0.0;   // RowTotal, and that of floats
+  double unmet = 0.0;   // UnmetReturns
+  double seen_area = 0.0;
+  [[nodiscard]] double bound() const { return spread + doubt + unmet; }
+};
+
+// Of two estimates, independent as far as rows spread; weights as if the bounds fell as they should.
+SampledSections::Sample SampledSections::combined(const Sample& a, const Sample& b) {
+  const double part = 1.0 / (1.0 + std::pow(b.size / a.size, 3.0));
+  const auto mean = [&](double Sample::*of) { return part * a.*of + (1.0 - part) * b.*of; };
+  const double spread = std::hypot(part * a.spread, (1.0 - part) * b.spread);
+  return {b.size, mean(&Sample::sigma), spread, mean(&Sample::doubt), mean(&Sample::unmet), mean(&Sample::seen_area)};
+}
+
+struct SampledSections::Rays {
+  explicit Rays(const Target& target) : scene(target.mesh), touching(target, scene) {}
+  EmbreeScene scene;
+  TouchingFacets touching;
+};
+
+struct SampledSections::Memory {
+  explicit Memory(const Target& target) : drawn(target), unmet(target) {}
+  DrawnSums drawn;
+  UnmetReturns unmet;
+  std::optional<RowSums> cast;
+};
+
+SampledSections::SampledSections(const Target& target, double relative, bool bistatic)
+    : target_(target), relative_(relative), grids_(target.mesh) {
+  try_out();
+  if (!may_pay()) return;
+  if (!bistatic && draws(first_size())) return;
+  rays_ = std::make_unique<const Rays>(target);
+  constexpr double little = 0.2;
+  trusts_rays_ = doubt_of_rays() < little * relative;
+}
 
 SampledSections::~SampledSections() = default;
 
 bool SampledSections::may_pay(const Target& target, double relative) {
-  return relative > 5.0 * float_error && target.mesh.size() > 0 &&
-         pays(static_cast<double>(target.mesh.size()), size_for(relative, smooth));
+  if (relative <= 5.0 * float_error || target.mesh.size() == 0) return false;
+  const auto facets = static_cast<double>(target.mesh.size());
+  const double size = size_for(relative, smooth);
+  constexpr double deep = 2.0, few = 0.2;
+  const double cost = std::min(drawing_cost(facets, size), rays_cost(facets, size, few));
+  return reserve * cost < exact_cost(facets, deep);
 }
 
-SampledSection SampledSections::cast(const Vec3& to_transmitter, const Vec3& to_receiver, double size) const {
-  std::unique_ptr<RowSums>& sums = sums_.local();
-  if (!sums) sums = std::make_unique<RowSums>(target_, *scene_, *touching_);
+bool SampledSections::may_pay() const {
+  return is_cheaper(first_size(), false);
+}
+
+bool SampledSections::draws(double size) const {
+  const auto facets = static_cast<double>(target_.mesh.size());
+  return drawing_cost(facets, size) < rays_cost(facets, size, variety_);
+}
+
+bool SampledSections::is_cheaper(double size, bool bistatic) const {
+  const auto facets = static_cast<double>(target_.mesh.size());
+  const double rays = rays_cost(facets, size, variety_);
+  const double cost = bistatic ? 2.0 * rays + unmet_cost(facets) : std::min(rays, drawing_cost(facets, size));
+  return reserve * cost < exact_cost(facets, depth_);
+}
+
+double SampledSections::first_size() const {
+  return size_for(relative_, bound_of_one_place_);
+}
+
+// How much of a sum is in doubt because rays know only of whole facets that another touches them.
+double SampledSections::doubt_of_rays() const {
+  if (rays_->touching.none()) return 0.0;
+  RowSums cast(target_, rays_->scene, rays_->touching);
+  double largest = 0.0;
+  for (const Vec3& d : first_looks()) {
+    double value = 0.0, doubt = 0.0;
+    for (const RowSum& row : cast.cast(grids_.over(d, first_look_size), d)) {
+      value += row.value;
+      doubt += row.doubt;
+    }
+    if (value > 0.0) largest = std::max(largest, doubt / value);
+  }
+  return largest;
+}
+
+void SampledSections::try_out() {
+  constexpr double size = first_look_size;
+  bound_of_one_place_ = smooth;
+  for (const Vec3& d : first_looks()) {
+    const Sample found = sample(d, d, size);
+    if (found.sigma <= 0.0) continue;
+    const double bound = found.spread / found.sigma * std::pow(size, 1.5);
+    bound_of_one_place_ = std::max(bound_of_one_place_, bound);
+    variety_ = std::max(variety_, memory_.local()->drawn.variety());
+    depth_ = std::max(depth_, depth_of(target_.mesh, d, found.seen_area));
+  }
+}
+
+SampledSections::Sample SampledSections::sample(const Vec3& to_transmitter, const Vec3& to_receiver,
+                                                double size) const {
+  std::unique_ptr<Memory>& memory = memory_.local();
+  if (!memory) memory = std::make_unique<Memory>(target_);
   const RowGrid grid = grids_.over(to_receiver, size);
-  const auto& rows = sums->cast(grid, to_transmitter);
+  const bool drawn = to_transmitter == to_receiver && (!trusts_rays_ || draws(size));
+  if (!drawn && !memory->cast) memory->cast.emplace(target_, rays_->scene, rays_->touching);
+  const auto& rows = drawn ? memory->drawn.draw(grid) : memory->cast->cast(grid, to_transmitter);
+  const double largest = drawn ? memory->drawn.largest() : memory->cast->largest();
   const double side = grid.step / grids_.placement().scale * target_.mesh.metres_per_unit;
-  const Estimate sum = sum_of_rows(rows, sums->largest());
+  const RowTotal sum = sum_of_rows(rows, largest);
   const double around = 4.0 * std::numbers::pi * side * side;
   double area = 0.0;
   for (const RowSum& row : rows) area += row.area;
-  return {{around * sum.value, around * (sum.bound + float_error * sum.value)}, side * side * area};
+  return {size,
+          around * sum.value,
+          around * sum.spread,
+          around * (sum.doubt + float_error * sum.value),
+          around * memory->unmet.beyond(largest, to_transmitter, to_receiver, side),
+          side * side * area};
 }
 
 std::optional<SampledSection> SampledSections::section(const Vec3& to_transmitter, const Vec3& to_receiver) const {
-  const auto facets = static_cast<double>(target_.mesh.size());
-  const double least = 32.0, farther = 1.15;
-  double size = std::max(least, size_for(relative_, usual));
-  if (!pays(facets, size)) return std::nullopt;
-  SampledSection found = cast(to_transmitter, to_receiver, size);
+  const bool bistatic = to_transmitter != to_receiver;
+  const double size = first_size();
+  if (!is_cheaper(size, bistatic)) return std::nullopt;
+  Sample found = sample(to_transmitter, to_receiver, size);
   constexpr int more = 3;
-  for (int attempt = 0; found.sigma.bound > relative_ * found.sigma.value; ++attempt) {
-    if (attempt == more || found.sigma.value <= 0.0) return std::nullopt;
-    const double next = farther * size * size_for(relative_, found.sigma.bound / found.sigma.value);
-    if (!pays(facets, next)) return std::nullopt;
-    const SampledSection finer = cast(to_transmitter, to_receiver, next);
-    found = combined(found, size, finer, next);
-    size = next;
+  constexpr double farther = 1.15;
+  for (int attempt = 0; found.bound() > relative_ * found.sigma; ++attempt) {
+    if (attempt == more || found.doubt >= relative_ * found.sigma) return std::nullopt;
+    const double next = farther * found.size * std::pow(found.bound() / found.sigma / relative_, 2.0 / 3.0);
+    if (!is_cheaper(next, bistatic)) return std::nullopt;
+    found = combined(found, sample(to_transmitter, to_receiver, next));
   }
-  return found.sigma.value > 0.0 ? std::optional(found) : std::nullopt;
+  if (found.sigma <= 0.0) return std::nullopt;
+  return SampledSection{{found.sigma, found.bound()}, found.seen_area};
 }
 
 }  // namespace lrcs

@@ -33,7 +33,10 @@ class Sweep {
   std::vector<SweepRow> run() {
     if (aspects_.empty()) return {};
     convex_ = is_convex_body(target_.mesh);
-    if (!convex_ && relative_ && SampledSections::may_pay(target_, *relative_)) sampled_.emplace(target_, *relative_);
+    if (!convex_ && relative_ && SampledSections::may_pay(target_, *relative_)) {
+      sampled_.emplace(target_, *relative_, has_pairs());
+      if (!sampled_->may_pay()) sampled_.reset();
+    }
     if (!convex_ && !sampled_) visibility_.emplace(target_.mesh);
     plan();
     if (convex_) compute_convex();
@@ -85,6 +88,10 @@ class Sweep {
 
   [[nodiscard]] bool has_one_material() const {
     return std::ranges::all_of(target_.material, [&](std::uint32_t m) { return m == target_.material.front(); });
+  }
+
+  [[nodiscard]] bool has_pairs() const {
+    return std::ranges::any_of(aspects_, [](const Aspect& a) { return a.to_transmitter != a.to_receiver; });
   }
 
   // Leaves the rows alone for which it is not the way; only if there are any is the costly visibility built.

@@ -46,6 +46,7 @@ void TouchingFacets::probe(std::uint32_t facet, const EmbreeScene& scene) {
     context.filter = skip_own_facet;
     rtcIntersect1(scene.scene(), &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+    none_ = false;
     touched_[facet] = 1;
     touched_[ray.hit.primID] = 1;
   }

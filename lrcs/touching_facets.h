@@ -16,12 +16,14 @@ class TouchingFacets {
  public:
   TouchingFacets(const Target& target, const EmbreeScene& scene);
 
+  [[nodiscard]] bool none() const { return none_; }
   [[nodiscard]] bool any(std::uint32_t facet) const { return !touched_.empty() && touched_[facet] != 0; }
 
  private:
   void probe(std::uint32_t facet, const EmbreeScene& scene);
 
   const FacetMesh& mesh_;
+  bool none_ = true;
   std::vector<std::uint8_t> touched_;  // one a facet, or none
 };
 

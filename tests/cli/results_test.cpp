@@ -110,6 +110,28 @@ TEST_F(Sweep, WritesNumbersThatReadBackToTheComputedDoubles) {
   }
 }
 
+TEST_F(Sweep, SamplesToARelativeAccuracyWithinItsBoundAndSaysHowManyRows) {
+  folder_.write("box.stl", stl_sphere(60) + stl_box("panel1", {0.5, 0.9, -0.3}, {1.5, 2, 0.3}));
+  ASSERT_EQ(run().status, 0);
+  const Table exact = table();
+  EXPECT_EQ(manifest().at("rows").at("sampled"), 0);
+  EXPECT_EQ(manifest().at("method"), "exact seen area of every facet");
+  folder_.write("scene.yaml", good_scene + "accuracy: {relative: 0.01}\n");
+  ASSERT_EQ(run().status, 0);
+  const Table sampled = table();
+  EXPECT_EQ(manifest().at("rows").at("sampled"), 5);
+  EXPECT_EQ(manifest().at("rows").at("exact"), 0);
+  EXPECT_EQ(manifest().at("method"), "row grids");
+  EXPECT_EQ(manifest().at("accuracy").at("relative"), 0.01);
+  for (std::size_t k = 0; k < exact.rows.size(); ++k) {
+    const double sigma = sampled.rows[k][sigma_column], bound = sampled.rows[k][bound_column];
+    EXPECT_LE(bound, 0.01 * sigma);
+    EXPECT_GT(bound, 1e-6 * sigma) << "exact";
+    EXPECT_LE(std::abs(sigma - exact.rows[k][sigma_column]), bound);
+    EXPECT_NEAR(sampled.rows[k][seen_area_column], exact.rows[k][seen_area_column], 0.02);
+  }
+}
+
 TEST_F(Sweep, SaysInItsCommentsWhatTheNumbersAre) {
   ASSERT_EQ(run().status, 0);
   const auto comments = table().comments;
