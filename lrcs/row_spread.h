@@ -15,12 +15,11 @@ struct RowTotal {
 };
 
 // The error is told from how neighbouring rows differ.
-// value: spread = 2 [sqrt(Sum (difference of neighbours)^2 / 2) + 2 largest]. Were rows independent, the root would be
+// value: spread = 2.5 sqrt(Sum (difference of neighbours)^2 / 2) + 4 largest. Were rows independent, the root would be
 // at
 //   least the standard deviation of the sum: what really changes from row to row adds to it. The second term is for
-//   what no place has met: two places of the largest value that any has; for what returns more see UnmetReturns. The
-//   factor is calibrated: among 2,160 grids of 9 targets, 6 sizes and 40 random directions, monostatic, the error never
-//   was more than 1.09 brackets, the median 0.17.
+//   what no place has met: four places of the largest value that any has; for what returns more see UnmetReturns.
+// error: an estimate; 2.5 is calibrated (docs/methods.md, section 7).
 [[nodiscard]] inline RowTotal sum_of_rows(const std::vector<RowSum>& rows, double largest) {
   RowTotal total;
   double squares = 0.0, before = 0.0;

@@ -10,7 +10,8 @@
 
 namespace lrcs {
 
-// A cross section by sampling. error: sigma.bound is an estimate that held in all cases tried (lrcs/row_spread.h).
+// A cross section by sampling. error: sigma.bound is a calibrated estimate, no proof (docs/methods.md, section 7, says
+// what it was tried on); seen_area has none.
 struct SampledSection {
   Estimate sigma;          // [m^2]
   double seen_area = 0.0;  // [m^2]
