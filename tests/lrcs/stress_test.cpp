@@ -1,6 +1,7 @@
 // Targets that are hard on numbers, with answers known in closed form.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -167,6 +168,65 @@ TEST(Stress, PartsThatShareAFaceLookLikeOne) {
     const Vec3 d = random_direction(random);
     EXPECT_NEAR(seen_area_along(two, d), seen_area_along(one, d), 1e-12);
   }
+}
+
+// 5,184 facets, nearly all of which touch others face to face, edge to edge or corner to corner.
+FacetMesh block_of_boxes() {
+  FacetMesh mesh;
+  for (int x = 0; x < 12; ++x)
+    for (int y = 0; y < 12; ++y)
+      for (int z = 0; z < 3; ++z) add_box(mesh, Vec3(x, y, z), Vec3(x + 1, y + 1, z + 1));
+  return mesh;
+}
+
+// Of the same block in one piece, lit and seen, across the receiver's view.
+double seen_of_block(const Vec3& di, const Vec3& dr) {
+  const Vec3 faces(12 * 3, 12 * 3, 12 * 12);
+  double area = 0.0;
+  for (int k = 0; k < 3; ++k)
+    if (di[k] * dr[k] > 0.0) area += faces[k] * std::abs(dr[k]);
+  return area;
+}
+
+// Along axes, edges and diagonals silhouettes fall on edges behind them; turned, the boxes overlap or part by rounding.
+TEST(Stress, ThousandsOfTouchingFacetsLookLikeOneBlockWhateverTheView) {
+  const double grazing = 89.9999 * std::numbers::pi / 180.0;
+  const std::vector<Vec3> views{
+      {0, 0, 1}, {1, 1, 0}, {1, 1, 1}, {3, 1, 2}, {std::sin(grazing), 0.3, std::cos(grazing)}};
+  for (const double angle : {0.0, 0.7}) {
+    const Eigen::AngleAxisd turn(angle, Vec3(2, -1, 3).normalized());
+    FacetMesh mesh = block_of_boxes();
+    for (Vec3& p : mesh.positions) p = turn * p;
+    const Target target = target_of(mesh, lambert(1.0));
+    const Visibility visibility(target.mesh);
+    for (const Vec3& to_receiver : views)
+      for (const Vec3& to_transmitter : {to_receiver, views[3]}) {
+        const Vec3 di = to_transmitter.normalized(), dr = to_receiver.normalized();
+        const CrossSection section = cross_section(target, visibility, turn * di, turn * dr);
+        EXPECT_NEAR(section.seen_area, seen_of_block(di, dr), 1e-10 * seen_of_block(di, dr))
+            << angle << ", from " << di.transpose() << ", to " << dr.transpose();
+      }
+  }
+}
+
+// Scale, place, winding and numbering change nothing, even where thousands touch.
+TEST(Stress, LawsHoldForThousandsOfTouchingFacets) {
+  const FacetMesh block = block_of_boxes();
+  const Vec3 di = Vec3(3, 1, 2).normalized(), dr = Vec3(1, 4, 2).normalized();
+  const auto sigma_of = [&](const FacetMesh& mesh) {
+    return section_of(target_of(mesh, library("metal-skin-9p")), di, dr).sigma.value;
+  };
+  const double sigma = sigma_of(block);
+  FacetMesh scaled = block, moved = block, reversed = block, mixed = block;
+  for (Vec3& p : scaled.positions) p *= 1e-9;
+  EXPECT_NEAR(sigma_of(scaled), 1e-18 * sigma, 1e-28 * sigma);
+  for (Vec3& p : moved.positions) p += Vec3(1 << 24, -(1 << 23), 1 << 22);
+  EXPECT_NEAR(sigma_of(moved), sigma, 1e-10 * sigma);
+  for (auto& f : reversed.facets) std::swap(f[1], f[2]);
+  EXPECT_NEAR(sigma_of(reversed), sigma, 1e-10 * sigma);
+  std::mt19937_64 random(11);
+  std::shuffle(mixed.facets.begin(), mixed.facets.end(), random);
+  EXPECT_NEAR(sigma_of(mixed), sigma, 1e-10 * sigma);
 }
 
 }  // namespace
