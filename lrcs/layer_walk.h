@@ -21,7 +21,8 @@ namespace lrcs {
 // Most facets meet no outline: the count is one number there, the same as next door. A few are cut by outlines; there
 // it changes by what each outline gains. One true count starts the walk over each connected patch; the rest is steps
 // from facet to facet through ordinary edges.
-// laws: agrees along every way round, is never negative; facets for which it does not are said to be unknown.
+// laws: agrees along every way round, and at the far end of a long way; is never negative. Facets for which it does not
+// are said to be unknown.
 // One object a thread. source: A. Appel, Proc. 22nd ACM National Conf., 387-393, 1967 (quantitative invisibility).
 class LayerWalk {
  public:
@@ -94,6 +95,9 @@ class LayerWalk {
   void begin_walk(std::uint32_t facet);
   // Finds the count on one facet by counting layer by layer.
   bool start(std::uint32_t facet);
+  // On a facet that no outline cuts; nothing where no place on it is clear of what is before it.
+  [[nodiscard]] std::optional<int> count_layers(std::uint32_t facet);
+  [[nodiscard]] bool agrees_at_far_end();
   // Of the facet in cut_: layers at u = -infinity.
   [[nodiscard]] std::optional<int> base_of_cut(std::uint32_t facet);
   // Steps from facet to facet as far as it goes. False: the count differs between two ways, or falls below zero.
