@@ -74,6 +74,11 @@ void RowRays::cast(std::uint32_t row, std::uint32_t column, std::array<Seen, wid
   if (bistatic_) light(seen);
 }
 
+Vec3 RowRays::place(std::size_t k) const {
+  const auto& ray = packet_->hits.ray;
+  return Vec3(ray.org_x[k], ray.org_y[k], ray.org_z[k]) - static_cast<double>(ray.tfar[k]) * to_receiver_;
+}
+
 void RowRays::light(std::array<Seen, width>& seen) {
   Packet& p = *packet_;
   bool any = false;
@@ -83,14 +88,12 @@ void RowRays::light(std::array<Seen, width>& seen) {
     const Vec3& n = mesh_.normals[seen[k].facet];
     seen[k].lit = n.dot(to_transmitter_) * n.dot(to_receiver_) > 0.0;
     if (!seen[k].lit) continue;
-    const auto& ray = p.hits.ray;
-    const Vec3 from(ray.org_x[k], ray.org_y[k], ray.org_z[k]);
     // Clear of the facet itself.
     const double side = n.dot(to_transmitter_) > 0.0 ? float_error : -float_error;
-    const Vec3 place = from - static_cast<double>(ray.tfar[k]) * to_receiver_ + side * n;
-    p.shadow.org_x[k] = static_cast<float>(place.x());
-    p.shadow.org_y[k] = static_cast<float>(place.y());
-    p.shadow.org_z[k] = static_cast<float>(place.z());
+    const Vec3 from = place(k) + side * n;
+    p.shadow.org_x[k] = static_cast<float>(from.x());
+    p.shadow.org_y[k] = static_cast<float>(from.y());
+    p.shadow.org_z[k] = static_cast<float>(from.z());
     p.shadow.tfar[k] = std::numeric_limits<float>::infinity();
     p.valid[k] = -1;
     any = true;

@@ -36,6 +36,8 @@ class RowRays {
   // What stands at the places of `tile` rows and columns, row by row; nothing where the grid ends.
   // domain: `row` a multiple of `tile`.
   void cast(std::uint32_t row, std::uint32_t column, std::array<Seen, width>& seen);
+  // Where ray k of the last cast has met something. frame: that of Placement.
+  [[nodiscard]] Vec3 place(std::size_t k) const;
 
  private:
   struct Packet;

@@ -38,7 +38,7 @@ void RowSums::cast_tile(std::uint32_t row, std::uint32_t column) {
     largest_ = std::max(largest_, value);
     sum.value += value;
     sum.area += 1.0;
-    if (touching_.any(seen[k].facet)) sum.doubt += returns_.range_in_plane_of(seen[k].facet);
+    if (touching_.any_at(seen[k].facet, rays_.place(k))) sum.doubt += returns_.range_in_plane_of(seen[k].facet);
   }
 }
 

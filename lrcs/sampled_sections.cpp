@@ -116,7 +116,7 @@ double SampledSections::first_size() const {
   return size_for(relative_, bound_of_one_place_);
 }
 
-// How much of a sum is in doubt because rays know only of whole facets that another touches them.
+// How much of a sum is in doubt because rays may meet either of facets that touch.
 double SampledSections::doubt_of_rays() const {
   if (rays_->touching.none()) return 0.0;
   RowSums cast(target_, rays_->scene, rays_->touching);

@@ -25,31 +25,36 @@ RTCRayHit short_ray(std::uint32_t facet, const Vec3& from, const Vec3& along) {
 
 }  // namespace
 
-TouchingFacets::TouchingFacets(const Target& target, const EmbreeScene& scene) : mesh_(target.mesh) {
+TouchingFacets::TouchingFacets(const Target& target, const EmbreeScene& scene) : mesh_(target.mesh), scene_(scene) {
   bool one_material = true;
   for (const std::uint32_t m : target.material) one_material = one_material && m == target.material.front();
   if (one_material && target.sides == Sides::both) return;
   touched_.assign(mesh_.size(), 0);
   const FlushDenormals flush;
-  for (std::uint32_t f = 0; f < mesh_.size(); ++f) probe(f, scene);
+  for (std::uint32_t f = 0; f < mesh_.size(); ++f) probe(f);
 }
 
-void TouchingFacets::probe(std::uint32_t facet, const EmbreeScene& scene) {
+void TouchingFacets::probe(std::uint32_t facet) {
   const auto corners = mesh_.corners(facet);
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-  const Vec3& n = mesh_.normals[facet];
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3 point = k == 3 ? middle : Vec3(0.5 * (middle + corners[k]));
-    RTCRayHit ray = short_ray(facet, scene.placement().placed(point) - float_error * n, n);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.filter = skip_own_facet;
-    rtcIntersect1(scene.scene(), &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+    const std::uint32_t other = facet_at(facet, scene_.placement().placed(point));
+    if (other == nothing) continue;
     none_ = false;
     touched_[facet] = 1;
-    touched_[ray.hit.primID] = 1;
+    touched_[other] = 1;
   }
+}
+
+std::uint32_t TouchingFacets::facet_at(std::uint32_t facet, const Vec3& place) const {
+  const Vec3& n = mesh_.normals[facet];
+  RTCRayHit ray = short_ray(facet, place - float_error * n, n);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.filter = skip_own_facet;
+  rtcIntersect1(scene_.scene(), &context, &ray);
+  return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing : ray.hit.primID;
 }
 
 }  // namespace lrcs

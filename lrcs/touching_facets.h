@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "lrcs/cross_section.h"
@@ -14,15 +15,24 @@ class EmbreeScene;
 // between such points may go unnoticed; it is found from its own.
 class TouchingFacets {
  public:
+  // Keeps references.
   TouchingFacets(const Target& target, const EmbreeScene& scene);
 
   [[nodiscard]] bool none() const { return none_; }
   [[nodiscard]] bool any(std::uint32_t facet) const { return !touched_.empty() && touched_[facet] != 0; }
+  // Does another one lie at this place of the facet? In the scene's frame.
+  [[nodiscard]] bool any_at(std::uint32_t facet, const Vec3& place) const {
+    return any(facet) && facet_at(facet, place) != nothing;
+  }
 
  private:
-  void probe(std::uint32_t facet, const EmbreeScene& scene);
+  static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+
+  void probe(std::uint32_t facet);
+  [[nodiscard]] std::uint32_t facet_at(std::uint32_t facet, const Vec3& place) const;
 
   const FacetMesh& mesh_;
+  const EmbreeScene& scene_;
   bool none_ = true;
   std::vector<std::uint8_t> touched_;  // one a facet, or none
 };
