@@ -83,17 +83,42 @@ void draw_curve(Canvas& canvas, const CartesianFrame& frame, const PlotCurve& cu
   for (const Point& p : line) canvas.disc(p, radius, pen.colour);
 }
 
-// Left of the coarsest and right of the finest; above or below, so that neighbouring curves' labels stay apart.
-void label_ends(Canvas& canvas, const CartesianFrame& frame, const PlotCurve& curve, const Colour& colour, bool above) {
-  constexpr double aside = 16.0;  // [pixel]
-  const auto label = [&](const Summary& s, AlignX align) {
-    const Point p = frame.at(milli * s.seconds, error_of(s));
-    const Point at{align == AlignX::left ? p.x + aside : p.x - aside, above ? p.y + aside : p.y - aside};
-    canvas.text(at, s.mark,
-                {.font = {30, false}, .colour = colour, .x = align, .y = above ? AlignY::baseline : AlignY::top});
-  };
-  label(curve.points.front(), AlignX::right);
-  if (curve.points.size() > 1) label(curve.points.back(), AlignX::left);
+// What labels keep clear of: places along the curves, and labels that are there already.
+std::vector<Point> places_along(const CartesianFrame& frame, const std::vector<PlotCurve>& curves) {
+  constexpr int parts = 16;
+  std::vector<Point> places;
+  for (const PlotCurve& curve : curves)
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+      const auto at = [&](std::size_t point) {
+        return frame.at(milli * curve.points[point].seconds, error_of(curve.points[point]));
+      };
+      const Point from = at(k), to = at(std::min(k + 1, curve.points.size() - 1));
+      for (int part = 0; part < parts; ++part)
+        places.push_back({from.x + (to.x - from.x) * part / parts, from.y + (to.y - from.y) * part / parts});
+    }
+  return places;
+}
+
+// Beside a point, where most is clear: to the left or the right, above or below.
+void label_point(Canvas& canvas, const Point& p, const std::string& mark, const Colour& colour,
+                 std::vector<Point>& taken) {
+  constexpr double aside = 16.0, letter = 17.0, height = 30.0;  // [pixel]
+  const double width = letter * static_cast<double>(mark.size());
+  Point best{};
+  double clearest = -1.0;
+  for (const double across : {1.0, -1.0})
+    for (const double up : {1.0, -1.0}) {
+      const Point middle{p.x + across * (aside + 0.5 * width), p.y + up * (aside + 0.5 * height)};
+      double clear = std::numeric_limits<double>::infinity();
+      for (const Point& other : taken)
+        clear = std::min(clear, std::hypot(std::max(0.0, std::abs(other.x - middle.x) - 0.5 * width),
+                                           std::max(0.0, std::abs(other.y - middle.y) - 0.5 * height)));
+      if (clear <= clearest) continue;
+      clearest = clear;
+      best = middle;
+    }
+  canvas.text(best, mark, {.font = {30, false}, .colour = colour, .x = AlignX::centre, .y = AlignY::middle});
+  for (const double part : {-0.5, 0.0, 0.5}) taken.push_back({best.x + part * width, best.y});
 }
 
 void draw_exact(Canvas& canvas, const CartesianFrame& frame, const Summary& exact, const Pen& pen) {
@@ -131,7 +156,11 @@ void draw_work_precision(const std::filesystem::path& png, const std::vector<Sum
   rule_finely(canvas, frame);
   draw_exact(canvas, frame, *exact, exact_pen);
   for (std::size_t k = curves.size(); k-- > 0;) draw_curve(canvas, frame, curves[k], curve_pen(k));
-  for (std::size_t k = 0; k < curves.size(); ++k) label_ends(canvas, frame, curves[k], curve_pen(k).colour, k % 2 == 0);
+  std::vector<Point> taken = places_along(frame, curves);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    for (const Summary* end : {&curves[k].points.front(), &curves[k].points.back()})
+      if (end == &curves[k].points.front() || curves[k].points.size() > 1)
+        label_point(canvas, frame.at(milli * end->seconds, error_of(*end)), end->mark, curve_pen(k).colour, taken);
   draw_outline(canvas, frame);
   write_png(png, canvas.picture());
 }
