@@ -48,7 +48,7 @@ class Comparison {
     const auto found = sampled_.section(aspect.to_transmitter, aspect.to_receiver);
     if (!found) return;
     const CrossSection exact = cross_section(target_, visibility_, aspect.to_transmitter, aspect.to_receiver);
-    const double error = std::max(std::abs(found->sigma.value - exact.sigma.value), 1e-15 * exact.sigma.value);
+    const double error = std::abs(found->sigma.value - exact.sigma.value);
     over_error_.push_back(found->sigma.bound / error);
     if (error > found->sigma.bound + exact.sigma.bound)
       passed_ += fmt::format("  ERROR PASSES ITS BOUND: azimuth {} deg, elevation {} deg, receiver {} deg, {} deg\n",

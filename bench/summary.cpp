@@ -51,6 +51,10 @@ SeenSums one_by_one(const Runs& runs, const Pick& pick) {
   return {pick(lambert), pick(wu), pick(area)};
 }
 
+std::string error_text(double error) {
+  return std::isnan(error) ? fmt::format("{:>10}", "-") : fmt::format("{:10.1e}", error);
+}
+
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -90,14 +94,6 @@ std::vector<Summary> summaries(const std::vector<Measurement>& of_target) {
   }
   return result;
 }
-
-namespace {
-
-std::string error_text(double error) {
-  return std::isnan(error) ? fmt::format("{:>10}", "-") : fmt::format("{:10.1e}", error);
-}
-
-}  // namespace
 
 std::string table_text(const std::vector<Summary>& of_target) {
   std::string text =

@@ -9,6 +9,7 @@ namespace lrcs {
 void LayerWalk::count(const std::vector<std::uint8_t>& wanted) {
   hidden_ = queries_ = 0;
   cuts_.clear();
+  edges_.clear();
   if (!take_free(wanted)) return;
   grid_.fill(view_.edges(), view_.rounding());
   stamp_.assign(view_.edges().size(), 0);
@@ -49,8 +50,6 @@ void LayerWalk::begin_walk(std::uint32_t facet) {
 
 // Whole runs of facets lie where no outline runs.
 void LayerWalk::find_cuts() {
-  cuts_.clear();
-  edges_.clear();
   const auto& nodes = surface_.tree.nodes();
   const auto cut_if_wanted = [&](std::uint32_t f) {
     if (states_[f].layers != unknown) return;

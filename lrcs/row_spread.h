@@ -15,10 +15,9 @@ struct RowTotal {
 };
 
 // The error is told from how neighbouring rows differ.
-// value: spread = 2.5 sqrt(Sum (difference of neighbours)^2 / 2) + 4 largest. Were rows independent, the root would be
-// at
-//   least the standard deviation of the sum: what really changes from row to row adds to it. The second term is for
-//   what no place has met: four places of the largest value that any has; for what returns more see UnmetReturns.
+// value: spread = 2.5 sqrt(Sum (difference of neighbours)^2 / 2) + 4 largest. Were rows independent, the root would
+//   be at least the standard deviation of the sum: what really changes from row to row adds to it. The second term is
+//   for what no place has met: four places of the largest value that any has; for what returns more see UnmetReturns.
 // error: an estimate; 2.5 is calibrated (docs/methods.md, section 7).
 [[nodiscard]] inline RowTotal sum_of_rows(const std::vector<RowSum>& rows, double largest) {
   RowTotal total;

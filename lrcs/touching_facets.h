@@ -19,10 +19,9 @@ class TouchingFacets {
   TouchingFacets(const Target& target, const EmbreeScene& scene);
 
   [[nodiscard]] bool none() const { return none_; }
-  [[nodiscard]] bool any(std::uint32_t facet) const { return !touched_.empty() && touched_[facet] != 0; }
   // Does another one lie at this place of the facet? In the scene's frame.
   [[nodiscard]] bool any_at(std::uint32_t facet, const Vec3& place) const {
-    return any(facet) && facet_at(facet, place) != nothing;
+    return !touched_.empty() && touched_[facet] != 0 && facet_at(facet, place) != nothing;
   }
 
  private:

@@ -11,15 +11,8 @@
 namespace lrcs {
 namespace {
 
-FacetMesh box() {
-  FacetMesh mesh;
-  add_box(mesh, {-1, -2, -3}, {1, 2, 3});
-  return mesh;
-}
-
-FacetMesh reversed(FacetMesh mesh) {
-  for (auto& f : mesh.facets) std::swap(f[1], f[2]);
-  return mesh;
+FacetMesh brick() {
+  return box({-1, -2, -3}, {1, 2, 3});
 }
 
 // Two fans over a polygon that goes round n corners in steps of `step`: with step > 1 a star, wound more than once.
@@ -38,7 +31,7 @@ FacetMesh bipyramid(std::uint32_t n, std::uint32_t step) {
 }
 
 TEST(IsConvexBody, HoldsForConvexBodiesWhateverTheirFacets) {
-  EXPECT_TRUE(is_convex_body(box()));
+  EXPECT_TRUE(is_convex_body(brick()));
   EXPECT_TRUE(is_convex_body(icosphere(4)));
   EXPECT_TRUE(is_convex_body(bipyramid(7, 1)));
   FacetMesh corner;  // the middle of its box is outside
@@ -56,7 +49,7 @@ TEST(IsConvexBody, HoldsForConvexBodiesWhateverTheirFacets) {
 }
 
 TEST(IsConvexBody, HoldsWithManyCoplanarFacets) {
-  FacetMesh mesh = box();
+  FacetMesh mesh = brick();
   FacetMesh split;
   for (std::size_t k = 0; k < mesh.size(); ++k) {
     const auto [a, b, c] = mesh.corners(k);
@@ -72,7 +65,7 @@ TEST(IsConvexBody, HoldsWithManyCoplanarFacets) {
 // A corner moved by one bit out of a face folds it along its diagonal: one way a ridge, the other way a valley.
 TEST(IsConvexBody, FailsByTheLastBit) {
   const auto is_convex_with_corner_at = [](double x) {
-    FacetMesh mesh = box();
+    FacetMesh mesh = brick();
     for (Vec3& p : mesh.positions)
       if (p == Vec3(1, 2, 3)) p.x() = x;
     return is_convex_body(mesh);
@@ -82,22 +75,22 @@ TEST(IsConvexBody, FailsByTheLastBit) {
 }
 
 TEST(IsConvexBody, FailsForWhatIsOpenInwardDentedOrNotOneBody) {
-  FacetMesh open = box();
+  FacetMesh open = brick();
   open.facets.pop_back();
   EXPECT_FALSE(is_convex_body(open));
-  EXPECT_FALSE(is_convex_body(reversed(box())));
-  FacetMesh one_turned = box();
+  EXPECT_FALSE(is_convex_body(reversed(brick())));
+  FacetMesh one_turned = brick();
   std::swap(one_turned.facets[5][1], one_turned.facets[5][2]);
   EXPECT_FALSE(is_convex_body(one_turned));
-  FacetMesh two = box();
-  append(two, box(), {10, 0, 0});
+  FacetMesh two = brick();
+  append(two, brick(), {10, 0, 0});
   EXPECT_FALSE(is_convex_body(two));
-  FacetMesh within = box(), small = box();
+  FacetMesh within = brick(), small = brick();
   for (Vec3& p : small.positions) p *= 0.5;
   append(within, small);
   EXPECT_FALSE(is_convex_body(within));
-  FacetMesh twice = box();
-  append(twice, box());
+  FacetMesh twice = brick();
+  append(twice, brick());
   EXPECT_FALSE(is_convex_body(twice));
   FacetMesh dented = bipyramid(12, 1);
   dented.positions[3] *= 0.7;

@@ -15,12 +15,6 @@
 namespace lrcs {
 namespace {
 
-FacetMesh box(const Vec3& low, const Vec3& high) {
-  FacetMesh mesh;
-  add_box(mesh, low, high);
-  return mesh;
-}
-
 struct Free {
   std::size_t convex, other;
 };

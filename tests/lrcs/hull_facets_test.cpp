@@ -11,12 +11,6 @@
 namespace lrcs {
 namespace {
 
-FacetMesh box(const Vec3& low, const Vec3& high) {
-  FacetMesh mesh;
-  add_box(mesh, low, high);
-  return mesh;
-}
-
 bool is_in_front(const Occluders& occluders, std::uint32_t facet, std::uint32_t vertex, int facing) {
   const auto& at = occluders.positions;
   const auto& [a, b, c] = occluders.facets[facet];

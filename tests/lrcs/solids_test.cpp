@@ -26,17 +26,6 @@ std::size_t solid_count(const FacetMesh& mesh) {
   return static_cast<std::size_t>(std::count(solid.begin(), solid.end(), 1));
 }
 
-FacetMesh box(const Vec3& low, const Vec3& high) {
-  FacetMesh mesh;
-  add_box(mesh, low, high);
-  return mesh;
-}
-
-FacetMesh reversed(FacetMesh mesh) {
-  for (auto& f : mesh.facets) std::swap(f[1], f[2]);
-  return mesh;
-}
-
 TEST(SolidFacets, AreThoseOfAClosedOutwardSurface) {
   EXPECT_EQ(solid_count(box({0, 0, 0}, {1, 1, 1})), 12U);
   EXPECT_EQ(solid_count(sphere(1.0, 8)), sphere(1.0, 8).size());

@@ -66,6 +66,18 @@ inline void add_box(FacetMesh& mesh, const Vec3& low, const Vec3& high) {
   add_plate(mesh, low + x, y, z);
 }
 
+inline FacetMesh box(const Vec3& low, const Vec3& high) {
+  FacetMesh mesh;
+  add_box(mesh, low, high);
+  return mesh;
+}
+
+// With every facet's front and back exchanged.
+inline FacetMesh reversed(FacetMesh mesh) {
+  for (auto& f : mesh.facets) std::swap(f[1], f[2]);
+  return mesh;
+}
+
 inline void append(FacetMesh& mesh, const FacetMesh& other, const Vec3& shift = Vec3::Zero()) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const Vec3& p : other.positions) mesh.positions.push_back(p + shift);
