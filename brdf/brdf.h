@@ -3,7 +3,10 @@
 #include <variant>
 
 #include "base/vec3.h"
+#include "brdf/cook_torrance.h"
 #include "brdf/lambert.h"
+#include "brdf/phong.h"
+#include "brdf/steinvall.h"
 #include "brdf/wu.h"
 
 namespace lrcs {
@@ -16,6 +19,8 @@ namespace lrcs {
 //   pair_error(wi, wr)        relative error [1] of what depends on the pair alone, for wi and wr rounded to doubles.
 //   largest()                 [1/sr] a bound of f_cos_cos, finite.
 //   is_reciprocal             f_r(wi, wr) == f_r(wr, wi).
+//   conserves_energy()        the albedo is promised to be at most 1.
+//   lobe_error(wi, wr, n)     of models with a narrow lobe only: how far rounding of wi, wr, n may move it [1/sr].
 template <class M>
 concept BrdfModel = requires(const M model, const Vec3 w, double cosine) {
   { model.f_cos_cos(w, w, w) } -> std::same_as<double>;
@@ -23,12 +28,13 @@ concept BrdfModel = requires(const M model, const Vec3 w, double cosine) {
   { model.for_pair(w, w)(w) } -> std::same_as<double>;
   { model.pair_error(w, w) } -> std::same_as<double>;
   { model.largest() } -> std::same_as<double>;
+  { model.conserves_energy() } -> std::same_as<bool>;
   { M::is_reciprocal } -> std::convertible_to<bool>;
 };
 
 // The closed list of models. Visit it once per batch of facets.
-// A new model: its header, its place here, its forms in brdf/brdf_form.cpp; readers, writers and law tests follow.
-using Brdf = std::variant<Lambert, Wu>;
+// A new model: its header, its place here, its forms in brdf/form_list.h; readers, writers, fits and law tests follow.
+using Brdf = std::variant<Lambert, Wu, Steinvall, Phong, CookTorranceBeckmann, CookTorranceGgx>;
 
 template <class... Models>
 constexpr bool all_are_models(const std::variant<Models...>* /*list*/) {

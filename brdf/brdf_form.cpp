@@ -1,62 +1,61 @@
 #include "brdf/brdf_form.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lrcs {
 namespace {
 
-Brdf make_lambert(const std::vector<double>& values, int /*azimuth_of_specular*/) {
-  return Lambert(values.at(0));
+template <class Form>
+Brdf make(const std::vector<double>& values, int azimuth_of_specular) {
+  forms::Values<double, Form::parameters.size()> v{};
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] = values.at(k);
+  return Form::template make<double>(v, azimuth_of_specular);
 }
 
-WuParameters<double> five(const std::vector<double>& values, int azimuth_of_specular) {
-  WuParameters<double> p;
-  p.kb = values.at(0);
-  p.kr = values.at(1);
-  p.b = values.at(2);
-  p.a = values.at(3);
-  p.kd = values.at(4);
-  p.azimuth_of_specular = azimuth_of_specular;
-  return p;
+template <class Form>
+BrdfForm form() {
+  BrdfForm form{std::string(Form::name), std::string(Form::description), {}, Form::has_azimuth_of_specular, make<Form>};
+  for (const FormParameter& p : Form::parameters) form.parameters.emplace_back(p.name);
+  return form;
 }
 
-Brdf make_five(const std::vector<double>& values, int azimuth_of_specular) {
-  return Wu(five(values, azimuth_of_specular));
+template <class... Forms>
+std::vector<BrdfForm> forms_of(const std::tuple<Forms...>* /*list*/) {
+  return {form<Forms>()...};
 }
 
-Brdf make_nine(const std::vector<double>& values, int azimuth_of_specular) {
-  WuParameters<double> p = five(values, azimuth_of_specular);
-  p.sigma_p = values.at(5);
-  p.sigma_r = values.at(6);
-  p.u_p = values.at(7);
-  p.v_p = values.at(8);
-  return Wu(p);
+template <class Form, class Model>
+BrdfWords words_in(const Model& model) {
+  const auto values = Form::values(model);
+  return {find_brdf_form(Form::name), {values.begin(), values.end()}};
 }
 
 BrdfWords words(const Lambert& model) {
-  return {find_brdf_form("lambert"), {model.reflectance()}};
+  return words_in<forms::LambertForm>(model);
 }
-
 BrdfWords words(const Wu& model) {
-  const auto& p = model.parameters();
-  std::vector<double> values{p.kb, p.kr, p.b, p.a, p.kd};
-  if (p.has_empirical_shadowing()) return {find_brdf_form("five_parameter"), values, p.azimuth_of_specular};
-  values.insert(values.end(), {p.sigma_p, p.sigma_r, p.u_p, p.v_p});
-  return {find_brdf_form("nine_parameter"), values, p.azimuth_of_specular};
+  BrdfWords words = model.parameters().has_empirical_shadowing() ? words_in<forms::FiveParameterForm>(model)
+                                                                 : words_in<forms::NineParameterForm>(model);
+  words.azimuth_of_specular = model.parameters().azimuth_of_specular;
+  return words;
+}
+BrdfWords words(const Steinvall& model) {
+  return words_in<forms::SteinvallForm>(model);
+}
+BrdfWords words(const Phong& model) {
+  return words_in<forms::PhongForm>(model);
+}
+BrdfWords words(const CookTorranceBeckmann& model) {
+  return words_in<forms::CookTorranceBeckmannForm>(model);
+}
+BrdfWords words(const CookTorranceGgx& model) {
+  return words_in<forms::CookTorranceGgxForm>(model);
 }
 
 }  // namespace
 
 const std::vector<BrdfForm>& brdf_forms() {
-  static const std::vector<BrdfForm> forms{
-      {"lambert", "ideally diffuse", {"reflectance"}, false, make_lambert},
-      {"five_parameter", "Wu 2002, empirical shadowing", {"kb", "kr", "b", "a", "kd"}, true, make_five},
-      {"nine_parameter",
-       "Wu 2002, fitted shadowing",
-       {"kb", "kr", "b", "a", "kd", "sigma_p", "sigma_r", "u_p", "v_p"},
-       true,
-       make_nine}};
+  static const std::vector<BrdfForm> forms = forms_of(static_cast<const FormList*>(nullptr));
   return forms;
 }
 

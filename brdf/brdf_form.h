@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "brdf/brdf.h"
+#include "brdf/form_list.h"
 
 namespace lrcs {
 
@@ -17,7 +18,7 @@ struct BrdfForm {
   Brdf (*make)(const std::vector<double>& values, int azimuth_of_specular) = nullptr;
 };
 
-// All forms: lambert, five_parameter, nine_parameter. Readers, writers, the fitter and the law tests go by this table.
+// All forms, in the order of brdf/form_list.h.
 [[nodiscard]] const std::vector<BrdfForm>& brdf_forms();
 
 // The form of that name, or nullptr.

@@ -1,6 +1,7 @@
 #pragma once
 #include <numbers>
 
+#include "brdf/model_pair.h"
 #include "brdf/parameter_error.h"
 #include "brdf/scalar.h"
 
@@ -23,6 +24,7 @@ class LambertModel {
   }
 
   [[nodiscard]] const T& reflectance() const { return reflectance_; }
+  [[nodiscard]] bool conserves_energy() const { return true; }
   [[nodiscard]] double largest() const { return plain_value(reflectance_) / std::numbers::pi; }
 
   template <class S>
@@ -41,8 +43,8 @@ class LambertModel {
   }
 
   template <class S>
-  [[nodiscard]] auto for_pair(const Direction<S>& wi, const Direction<S>& wr) const {
-    return [model = *this, wi, wr](const Direction<S>& n) { return model.f_cos_cos(wi, wr, n); };
+  [[nodiscard]] ModelPair<LambertModel, S> for_pair(const Direction<S>& wi, const Direction<S>& wr) const {
+    return {*this, wi, wr};
   }
 
  private:

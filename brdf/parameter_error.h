@@ -25,4 +25,16 @@ inline void require_parameter(std::string_view parameter, double value, bool ins
   if (!inside || !std::isfinite(value)) throw ParameterError(parameter, expected, value);
 }
 
+// Where a domain has no other end: products of such parameters stay finite.
+inline constexpr double largest_parameter = 1e100;
+
+// Throws ParameterError unless least <= value <= most.
+inline void require_parameter_in(std::string_view parameter, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  throw ParameterError(parameter,
+                       most < largest_parameter ? fmt::format("{} in [{}, {}]", parameter, least, most)
+                                                : fmt::format("{} >= {}", parameter, least),
+                       value);
+}
+
 }  // namespace lrcs

@@ -44,6 +44,12 @@ struct WuRetro {
   }
 };
 
+// Of a model for which no such function is written here.
+template <class Model>
+[[nodiscard]] std::optional<BlackRetro> retro_form(const Model& /*model*/) {
+  return std::nullopt;
+}
+
 [[nodiscard]] inline std::optional<LambertRetro> retro_form(const Lambert& lambert) {
   return LambertRetro{lambert.f_cos_cos_retro(1.0)};
 }

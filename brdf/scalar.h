@@ -13,13 +13,15 @@ using Direction = Eigen::Matrix<S, 3, 1>;
 template <class T, class S>
 using ResultScalar = std::conditional_t<std::is_same_v<T, double>, S, T>;
 
-// The number without its derivatives. A dual number gives it as value().
+// The number without its derivatives. A dual number gives it as value(), or is Ceres' Jet.
 template <class T>
 [[nodiscard]] double plain_value(const T& x) {
   if constexpr (std::is_convertible_v<T, double>)
     return static_cast<double>(x);
-  else
+  else if constexpr (requires { x.value(); })
     return static_cast<double>(x.value());
+  else
+    return static_cast<double>(x.a);
 }
 
 // A direction is above the surface where its cosine is a positive normal number: at smaller ones quotients overflow.

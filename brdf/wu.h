@@ -38,6 +38,7 @@ class WuModel {
   explicit WuModel(const WuParameters<T>& parameters);
 
   [[nodiscard]] const WuParameters<T>& parameters() const { return p_; }
+  [[nodiscard]] bool conserves_energy() const { return false; }
   [[nodiscard]] double largest() const {
     return plain_value(p_.kb) * std::exp(std::max(plain_value(p_.b), 0.0)) + plain_value(p_.kd);
   }
@@ -142,10 +143,12 @@ class WuPair {
 template <class T>
 WuModel<T>::WuModel(const WuParameters<T>& parameters) : p_(parameters) {
   const auto positive = [](std::string_view name, const T& x) {
-    require_parameter(name, plain_value(x), plain_value(x) > 0.0, fmt::format("{} > 0", name));
+    const double value = plain_value(x);
+    if (!(value > 0.0) || !std::isfinite(value)) throw ParameterError(name, fmt::format("{} > 0", name), value);
   };
   const auto not_negative = [](std::string_view name, const T& x) {
-    require_parameter(name, plain_value(x), plain_value(x) >= 0.0, fmt::format("{} >= 0", name));
+    const double value = plain_value(x);
+    if (!(value >= 0.0) || !std::isfinite(value)) throw ParameterError(name, fmt::format("{} >= 0", name), value);
   };
   not_negative("kb", p_.kb);
   positive("kr", p_.kr);

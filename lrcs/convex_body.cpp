@@ -58,15 +58,17 @@ bool is_turned_away(const FacetBlock& block, const Aspect& aspect, bool monostat
 }
 
 // Of models that have no form for vector code.
-void add_retro_one_by_one(const FacetBlock& block, const Vec3& d, const Wu& wu, LaneSums& sums) {
+template <class Model>
+void add_retro_one_by_one(const FacetBlock& block, const Vec3& d, const Model& model, LaneSums& sums) {
+  const auto pair = model.for_pair(d, d);
   for (std::size_t k = 0; k < block.facets; ++k) {
     const double cosine = std::min(block.cosine(k, d), 1.0);
     if (cosine <= -doubtful_cosine) continue;
     const double above = std::max(cosine, smallest_retro_cosine);
-    const double returns = block.area[k] * (wu.f_cos_cos_retro(above) / above);
+    const double returns = block.area[k] * (model.f_cos_cos_retro(above) / above);
     sums.returned[k] += returns * std::max(cosine, 0.0);
     sums.seen[k] += block.area[k] * std::max(cosine, 0.0);
-    sums.slope[k] += returns;
+    sums.slope[k] += returns + block.area[k] * (lobe_error(pair, block.normal(k)) / block_error);
   }
 }
 
@@ -85,7 +87,7 @@ double add_pair(const FacetBlock& block, const Aspect& aspect, const Pair& pair,
   for (std::size_t k = 0; k < block.facets; ++k) {
     const double least = std::min(block.cosine(k, di), block.cosine(k, dr));
     if (least <= -doubtful_cosine) continue;
-    const Vec3 n(block.nx[k], block.ny[k], block.nz[k]);
+    const Vec3 n = block.normal(k);
     if (least <= doubtful_cosine) {
       if (is_exactly_edge_on(n, di) || is_exactly_edge_on(n, dr)) continue;
       edge_on += block.area[k] * largest_edge_on(pair, n, di, dr, true);
@@ -94,13 +96,17 @@ double add_pair(const FacetBlock& block, const Aspect& aspect, const Pair& pair,
     const double returned = block.area[k] * pair(n);
     sums.returned[k] += returned;
     sums.seen[k] += block.area[k] * block.cosine(k, dr);
-    sums.slope[k] += returned / least;
+    sums.slope[k] += returned / least + block.area[k] * (lobe_error(pair, n) / block_error);
   }
   return edge_on;
 }
 
 template <class Model>
 using PairOf = decltype(std::declval<const Model&>().for_pair(Vec3(), Vec3()));
+
+// BlackRetro, or the pair form of one of the models.
+template <class... Models>
+std::variant<BlackRetro, PairOf<Models>...> pair_of_any(const std::variant<Models...>* /*list*/);
 
 }  // namespace
 
@@ -115,7 +121,7 @@ struct ConvexBody::Sums {
           m.brdf));
   }
 
-  using Pair = std::variant<BlackRetro, PairOf<Lambert>, PairOf<Wu>>;
+  using Pair = decltype(pair_of_any(static_cast<const Brdf*>(nullptr)));
   bool monostatic;
   std::vector<Pair> pairs;  // bistatic: one a material
   CarriedLanes returned, seen, slope;
@@ -142,8 +148,7 @@ ConvexBody::ConvexBody(const Target& target) : target_(target) {
         [&](const auto& model) -> Retro {
           if (returns_nothing(m)) return BlackRetro{};
           if (const auto form = retro_form(model)) return *form;
-          if constexpr (std::is_same_v<decltype(model), const Wu&>) return &model;
-          return BlackRetro{};
+          return &m.brdf;
         },
         m.brdf));
 }
@@ -153,8 +158,8 @@ void ConvexBody::add_monostatic(const FacetBlock& block, const Vec3& d, LaneSums
   const bool all_lit = block.facets == block_facets && block.least(d) >= smallest_retro_cosine;
   std::visit(
       [&](const auto& form) {
-        if constexpr (std::is_same_v<decltype(form), const Wu* const&>)
-          add_retro_one_by_one(block, d, *form, sums);
+        if constexpr (std::is_same_v<decltype(form), const Brdf* const&>)
+          std::visit([&](const auto& model) { add_retro_one_by_one(block, d, model, sums); }, *form);
         else
           add_retro(block, d, all_lit, form, sums);
       },

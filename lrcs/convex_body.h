@@ -36,7 +36,7 @@ class ConvexBody {
 
  private:
   struct Sums;
-  using Retro = std::variant<BlackRetro, LambertRetro, WuRetro, const Wu*>;
+  using Retro = std::variant<BlackRetro, LambertRetro, WuRetro, const Brdf*>;
 
   void add_monostatic(const FacetBlock& block, const Vec3& d, LaneSums& sums) const;
   void add_bistatic(const FacetBlock& block, const Aspect& aspect, Sums& sums, LaneSums& lanes) const;

@@ -12,9 +12,10 @@ namespace lrcs {
 namespace {
 
 // f_r cos(theta_i) cos(theta_r) of every facet of one material that is seen, from the side that is seen; its largest
-// value where the facet is perhaps edge-on. Others are left alone.
+// value where the facet is perhaps edge-on. Others are left alone. Adds what rounding may do to lobes to `lobes`, times
+// the areas seen.
 void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr,
-             const std::vector<Estimate>& seen, std::vector<double>& out) {
+             const std::vector<Estimate>& seen, std::vector<double>& out, CompensatedSum& lobes) {
   if (returns_nothing(target.materials[material])) return;
   const bool retro = wi == wr;
   std::visit(
@@ -33,6 +34,10 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
             out[k] = model.f_cos_cos_retro(std::abs(cos_i));
           else
             out[k] = cos_i < 0.0 ? pair(Vec3(-n)) : pair(n);
+          if constexpr (requires { pair.lobe_error(n); })
+            if (out[k] > 0.0 && !perhaps_edge_on)
+              lobes.add(pair.lobe_error(cos_i < 0.0 ? Vec3(-n) : n) * target.mesh.areas[k] *
+                        (seen[k].value + seen[k].bound));
         }
       },
       target.materials[material].brdf);
@@ -57,8 +62,9 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
   const std::size_t facets = target.mesh.size();
   auto& reflected = result.facet_sigma;
   reflected.assign(facets, 0.0);
+  CompensatedSum lobes;
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
-    reflect(target, m, to_transmitter, to_receiver, seen, reflected);
+    reflect(target, m, to_transmitter, to_receiver, seen, reflected, lobes);
   const double of_pair = pair_error(target.materials, to_transmitter, to_receiver);
 
   result.seen_fraction.resize(facets);
@@ -77,7 +83,7 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     const double relative = of_pair + (grazing > model_error ? model_error / grazing : 1.0);
     bound.add(full * (seen[k].bound + seen[k].value * relative));
   }
-  result.sigma = {sigma.value(), bound.value()};
+  result.sigma = {sigma.value(), bound.value() + 4.0 * std::numbers::pi * lobes.value()};
   result.seen_area = seen_area.value();
 }
 

@@ -27,6 +27,7 @@ struct alignas(64) FacetBlock {
   [[nodiscard]] double cosine(std::size_t k, const Vec3& d) const {
     return nx[k] * d.x() + ny[k] * d.y() + nz[k] * d.z();
   }
+  [[nodiscard]] Vec3 normal(std::size_t k) const { return {nx[k], ny[k], nz[k]}; }
   // law: least(d) <= cosine(k, d) <= most(d), rounding included, which is monotone.
   [[nodiscard]] double most(const Vec3& d) const {
     return std::max(low.x() * d.x(), high.x() * d.x()) + std::max(low.y() * d.y(), high.y() * d.y()) +

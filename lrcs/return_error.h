@@ -38,6 +38,15 @@ template <class Pair>
   return most;
 }
 
+// How far rounding may move the lobe of a model, for one pair of directions and one normal [1/sr]; 0 of models without.
+template <class Pair>
+[[nodiscard]] double lobe_error(const Pair& pair, const Vec3& n) {
+  if constexpr (requires { pair.lobe_error(n); })
+    return pair.lobe_error(n);
+  else
+    return 0.0;
+}
+
 // The largest BrdfModel::pair_error() among the materials [1].
 [[nodiscard]] inline double pair_error(const std::vector<Material>& materials, const Vec3& wi, const Vec3& wr) {
   double most = 0.0;

@@ -26,7 +26,7 @@ TEST(BrdfForms, GiveEveryBrdfBackFromItsWords) {
 
 TEST(BrdfForms, AreFoundByName) {
   for (const BrdfForm& form : brdf_forms()) EXPECT_EQ(find_brdf_form(form.name), &form);
-  EXPECT_EQ(find_brdf_form("phong"), nullptr);
+  EXPECT_EQ(find_brdf_form("ward"), nullptr);
 }
 
 TEST(BrdfForms, WriteTheShortestFormThatHolds) {

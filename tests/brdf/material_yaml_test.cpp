@@ -78,7 +78,8 @@ TEST(MaterialYaml, NamesTheNearestKeyModelAndLibraryMaterial) {
             "scene.yaml:2:1: unknown key 'reflectence', did you mean 'reflectance'? "
             "(known: model, reflectance, wavelength, source)");
   EXPECT_EQ(complaint("model: lambrt"),
-            "scene.yaml:1:8: expected lambert or five_parameter or nine_parameter, found 'lambrt'");
+            "scene.yaml:1:8: expected lambert or five_parameter or nine_parameter or steinvall or phong or "
+            "cook_torrance_beckmann or cook_torrance_ggx, found 'lambrt'");
   EXPECT_EQ(complaint("library: metal-skin-5q"),
             "scene.yaml:1:10: unknown library material 'metal-skin-5q', did you mean 'metal-skin-5p'? "
             "(known: metal-skin-5p, metal-skin-9p, painted-steel-5p, painted-steel-9p)");

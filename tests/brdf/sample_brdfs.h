@@ -20,6 +20,14 @@ inline std::vector<Brdf> sample_brdfs() {
   samples.emplace_back(Wu({.kb = 0.2, .kr = 1.0, .b = 1.5, .a = 2.0, .kd = 0.0, .sigma_p = 0.0, .sigma_r = 0.0}));
   samples.emplace_back(
       Wu({.kb = 0.2, .kr = 1e-3, .b = -3.0, .a = 0.3, .kd = 0.1, .sigma_p = 40.0, .sigma_r = 9.0, .v_p = 1e-3}));
+  samples.emplace_back(Steinvall(0.8, 0.1, 0.2, 1.5));
+  samples.emplace_back(Steinvall(3.0, 0.0, 1.7, 0.0));
+  samples.emplace_back(Phong(0.3, 0.5, 25.0));
+  samples.emplace_back(Phong(0.0, 1.0, 1.0));
+  samples.emplace_back(CookTorranceBeckmann(0.2, 0.7, 0.04, 0.3));
+  samples.emplace_back(CookTorranceBeckmann(0.0, 1.0, 0.9, 1.4));
+  samples.emplace_back(CookTorranceGgx(0.3, 0.6, 0.5, 0.15));
+  samples.emplace_back(CookTorranceGgx(0.0, 1.0, 0.0, 2.0));
   return samples;
 }
 
@@ -50,6 +58,18 @@ inline Vec3 from_angles(double theta, double phi) {
 template <class... Arguments>
 double f_cos_cos(const Brdf& brdf, const Arguments&... arguments) {
   return std::visit([&](const auto& model) { return model.f_cos_cos(arguments...); }, brdf);
+}
+
+// How far rounding of the directions may move a narrow lobe (brdf/brdf.h); 0 of models without one.
+inline double lobe_error(const Brdf& brdf, const Vec3& wi, const Vec3& wr, const Vec3& n) {
+  return std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { model.lobe_error(wi, wr, n); })
+          return model.lobe_error(wi, wr, n);
+        else
+          return 0.0;
+      },
+      brdf);
 }
 
 }  // namespace lrcs
