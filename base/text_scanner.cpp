@@ -43,6 +43,7 @@ bool TextScanner::at_continuation() const {
 void TextScanner::take_line_end() {
   at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
   line_begin_ = word_begin_ = at_;
+  cells_left_ = true;
   ++line_;
 }
 
@@ -87,11 +88,11 @@ void TextScanner::strip_cell(std::size_t& end) {
 }
 
 std::optional<std::string_view> TextScanner::cell() {
-  const bool another = at_ > line_begin_ ? text_[at_ - 1] == ',' : !at_line_end();
   word_begin_ = at_;
-  if (!another) return std::nullopt;
+  if (!cells_left_ || (at_ == line_begin_ && at_line_end())) return std::nullopt;
   std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-  at_ = end < text_.size() && text_[end] == ',' ? end + 1 : end;
+  cells_left_ = end < text_.size() && text_[end] == ',';
+  at_ = cells_left_ ? end + 1 : end;
   strip_cell(end);
   return text_.substr(word_begin_, end - word_begin_);
 }

@@ -28,7 +28,7 @@ class TextScanner {
   std::string_view rest_of_line();
 
   // The next cell of a line of cells between commas, without the blanks and the quotes around it, which may be "";
-  // nothing at the line's end.
+  // nothing at the line's end. A line's cells are not to be mixed with its words.
   std::optional<std::string_view> cell();
 
   // The next word of this line as a number that is finite; rounded correctly.
@@ -60,6 +60,7 @@ class TextScanner {
   std::size_t at_ = 0;
   std::size_t line_begin_ = 0;
   std::size_t word_begin_ = 0;
+  bool cells_left_ = true;
   int line_;
 };
 

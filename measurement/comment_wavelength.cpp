@@ -54,7 +54,7 @@ void take_wavelength_of_comments(std::string_view content, MeasurementBuilder& b
   } while (scanner.next_line());
   if (!found) return;
   builder.set_wavelength(*found);
-  builder.note(fmt::format("wavelength {} from the words of line {}", text_of_length(*found, "nm"), line));
+  builder.note(fmt::format("wavelength {} from the words of line {}", text_of_length(*found, "um"), line));
 }
 
 }  // namespace lrcs

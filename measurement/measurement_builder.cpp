@@ -53,7 +53,7 @@ MeasurementBuilder::MeasurementBuilder(std::string file, std::string format) : f
 
 void MeasurementBuilder::add(BrdfSample sample) {
   if (is_grazing(sample.theta_i) || is_grazing(sample.theta_r))
-    return leave_out("at 90 deg from the normal, where the cosine is 0");
+    return leave_out("at 90 deg from the normal, where the cosine is 0,");
   if ((sample.theta_i < 0.0) != (sample.theta_r < 0.0)) sample.phi += pi;
   sample.theta_i = std::abs(sample.theta_i);
   sample.theta_r = std::abs(sample.theta_r);
@@ -65,7 +65,7 @@ void MeasurementBuilder::add(BrdfSample sample) {
 void MeasurementBuilder::add(const Vec3& wi, const Vec3& wr, double f_r, int line) {
   const double theta_i = zenith_of(wi);
   const double theta_r = zenith_of(wr);
-  if (std::max(theta_i, theta_r) > pi / 2.0 + grazing_width) return leave_out("of directions below the surface");
+  if (std::max(theta_i, theta_r) > pi / 2.0 + grazing_width) return leave_out("of directions below the surface,");
   add({theta_i, theta_r, azimuth_of(wr) - azimuth_of(wi), f_r, 1.0, line});
 }
 
@@ -89,7 +89,7 @@ void MeasurementBuilder::require_something_to_fit() const {
   if (samples.empty() && left_out_.empty()) throw InputError(place, "holds no values, expected at least one");
   if (samples.empty()) {
     const auto& [why, count] = left_out_.front();
-    throw InputError(place, fmt::format("holds no value that can be used: {} are {}", count, why));
+    throw InputError(place, fmt::format("has no value left to fit: {} {} left out", count, why));
   }
   const auto all_zero = [&](auto member) {
     return std::all_of(samples.begin(), samples.end(), [&](const BrdfSample& s) { return s.*member == 0.0; });
