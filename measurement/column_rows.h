@@ -11,6 +11,8 @@ namespace lrcs {
 // What a column of a table of measured values holds. Angles are in degrees.
 enum class Column { ignored, wavelength_um, theta_i, azimuth_i, theta_r, azimuth_r, value, weight };
 
+inline constexpr std::size_t most_columns = 1000;
+
 enum class Separator { comma, blank };
 
 // One row, as the file states it.

@@ -25,8 +25,9 @@ struct Format {
 };
 
 // In the order of asking: what the later would also take comes first.
-constexpr std::array formats{Format{is_alta, read_alta}, Format{is_fred, read_fred}, Format{is_zemax, read_zemax},
-                             Format{is_columns, read_columns}, Format{is_csv, read_csv}};
+constexpr std::array formats{Format{is_alta, read_alta},   Format{is_fred, read_fred}, Format{is_zemax, read_zemax},
+                             Format{is_lumos, read_lumos}, Format{is_nist, read_nist}, Format{is_factors, read_factors},
+                             Format{is_csv, read_csv}};
 
 void require_readable(const std::filesystem::path& file) {
   std::error_code error;

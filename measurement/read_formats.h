@@ -39,10 +39,17 @@ using Measurements = std::vector<BrdfMeasurement>;
 [[nodiscard]] Measurements read_merl(std::string_view content, const std::string& file,
                                      const MeasurementOptions& options);
 
-// Tables of others that name their columns: "phi_i theta_i phi_o theta_o brdf" in a comment, phi being the zenith
-// (Lumos); "lambda,thetai,phi,thetar,phir,f_r11,..." with one measurement a lambda [um] (NIST); "src_z src_a view_z
-// view_a 532nm 1064nm ..." with reflectance factors, pi f_r, one measurement a column.
-[[nodiscard]] Measurements read_columns(std::string_view content, const std::string& file,
+// A table named in a comment "# phi_i theta_i phi_o theta_o brdf": phi is the zenith, theta the azimuth [deg].
+[[nodiscard]] Measurements read_lumos(std::string_view content, const std::string& file,
+                                      const MeasurementOptions& options);
+
+// "lambda,thetai,phi,thetar,phir,f_r11,...": one measurement a lambda [um].
+// source: T. Germer, Full four-dimensional and reciprocal Mueller matrix BRDF of sintered PTFE, 2017.
+[[nodiscard]] Measurements read_nist(std::string_view content, const std::string& file,
+                                     const MeasurementOptions& options);
+
+// "src_z src_a view_z view_a 532nm 1064nm ...": reflectance factors, pi f_r; one measurement a wavelength.
+[[nodiscard]] Measurements read_factors(std::string_view content, const std::string& file,
                                         const MeasurementOptions& options);
 
 // What a file is by its content.
@@ -50,7 +57,9 @@ using Measurements = std::vector<BrdfMeasurement>;
 [[nodiscard]] bool is_zemax(std::string_view content);
 [[nodiscard]] bool is_fred(std::string_view content);
 [[nodiscard]] bool is_merl(std::string_view content);
-[[nodiscard]] bool is_columns(std::string_view content);
+[[nodiscard]] bool is_lumos(std::string_view content);
+[[nodiscard]] bool is_nist(std::string_view content);
+[[nodiscard]] bool is_factors(std::string_view content);
 // Also of a table that lacks what read_csv() needs, which it then says.
 [[nodiscard]] bool is_csv(std::string_view content);
 

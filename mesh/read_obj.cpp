@@ -3,9 +3,9 @@
 #include <charconv>
 #include <utility>
 
+#include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {

@@ -5,10 +5,10 @@
 #include <sstream>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "mesh/file_format.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {
