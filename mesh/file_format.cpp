@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/input_error.h"
-#include "mesh/text_scanner.h"
+#include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {

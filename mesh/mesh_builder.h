@@ -1,5 +1,4 @@
 #pragma once
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -7,14 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mesh/coordinate.h"
 #include "mesh/facet_mesh.h"
 
 namespace lrcs {
-
-// What a coordinate may be: finite, and small enough that areas and volumes do not overflow.
-[[nodiscard]] inline bool is_coordinate(double x) {
-  return std::abs(x) <= 1e100;
-}
 
 // Puts a FacetMesh together from the vertices and polygons of a file, in file order.
 // laws: equal part names are one part, equal material names one material; a name without polygons leaves no trace.

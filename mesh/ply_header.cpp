@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/input_error.h"
-#include "mesh/text_scanner.h"
+#include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {

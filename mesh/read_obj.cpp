@@ -3,9 +3,9 @@
 #include <charconv>
 #include <utility>
 
+#include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "mesh/text_scanner.h"
 
 namespace lrcs {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 void read_vertices(TextScanner scanner, MeshBuilder& builder) {
   do {
     if (scanner.word() != "v") continue;
-    const double x = scanner.coordinate();
-    const double y = scanner.coordinate();
-    builder.add_position({x, y, scanner.coordinate()});
+    const double x = coordinate(scanner);
+    const double y = coordinate(scanner);
+    builder.add_position({x, y, coordinate(scanner)});
   } while (scanner.next_line());
 }
 

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "mesh/text_scanner.h"
 
 namespace lrcs {
 namespace {
@@ -58,7 +58,7 @@ void check_face(TextScanner& scanner, std::int64_t vertices) {
 }
 
 void check_vertex(TextScanner& scanner) {
-  for (int axis = 0; axis < 3; ++axis) scanner.coordinate();
+  for (int axis = 0; axis < 3; ++axis) coordinate(scanner);
 }
 
 // Checks a row, and adds the words checked to `text` as a line. A line end among them is one that a backslash

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/ply_header.h"
 #include "mesh/read_formats.h"
-#include "mesh/text_scanner.h"
 
 namespace lrcs {
 namespace {

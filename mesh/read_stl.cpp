@@ -5,10 +5,10 @@
 #include <sstream>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "mesh/file_format.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
-#include "mesh/text_scanner.h"
 
 namespace lrcs {
 namespace {
@@ -35,9 +35,9 @@ void read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uin
   corners.clear();
   std::string_view word = scanner.next_word();
   for (; same_word(word, "vertex"); word = scanner.next_word()) {
-    const double x = scanner.coordinate();
-    const double y = scanner.coordinate();
-    corners.push_back(builder.add_position({x, y, scanner.coordinate()}));
+    const double x = coordinate(scanner);
+    const double y = coordinate(scanner);
+    corners.push_back(builder.add_position({x, y, coordinate(scanner)}));
   }
   if (!same_word(word, "endloop")) scanner.fail_expected("'vertex' or 'endloop'", word);
   if (corners.size() < 3) scanner.fail(fmt::format("expected at least 3 vertices, found {}", corners.size()));

@@ -1,4 +1,4 @@
-#include "mesh/text_scanner.h"
+#include "base/text_scanner.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <utility>
-
-#include "base/input_error.h"
-#include "mesh/mesh_builder.h"
 
 namespace lrcs {
 namespace {
@@ -46,6 +43,7 @@ bool TextScanner::at_continuation() const {
 void TextScanner::take_line_end() {
   at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
   line_begin_ = word_begin_ = at_;
+  cells_left_ = true;
   ++line_;
 }
 
@@ -81,18 +79,31 @@ std::string_view TextScanner::rest_of_line() {
   return text_.substr(word_begin_, end - word_begin_);
 }
 
-double TextScanner::number() {
-  const std::string_view found = word();
-  double value = 0.0;
-  if (!parse(found, value) || !std::isfinite(value)) fail_expected("a finite number", found);
-  return value;
+void TextScanner::strip_cell(std::size_t& end) {
+  while (word_begin_ < end && is_blank(text_[word_begin_])) ++word_begin_;
+  while (end > word_begin_ && is_blank(text_[end - 1])) --end;
+  if (end < word_begin_ + 2 || text_[word_begin_] != '"' || text_[end - 1] != '"') return;
+  ++word_begin_;
+  --end;
 }
 
-double TextScanner::coordinate() {
-  const std::string_view found = word();
+std::optional<std::string_view> TextScanner::cell() {
+  word_begin_ = at_;
+  if (!cells_left_ || (at_ == line_begin_ && at_line_end())) return std::nullopt;
+  std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+  cells_left_ = end < text_.size() && text_[end] == ',';
+  at_ = cells_left_ ? end + 1 : end;
+  strip_cell(end);
+  return text_.substr(word_begin_, end - word_begin_);
+}
+
+double TextScanner::number() {
+  return number_in(word());
+}
+
+double TextScanner::number_in(std::string_view word, std::string_view what) const {
   double value = 0.0;
-  if (!parse(found, value) || !std::isfinite(value)) fail_expected("a coordinate, a finite number", found);
-  if (!is_coordinate(value)) fail_expected("a coordinate of at most 1e100", found);
+  if (!parse(word, value) || !std::isfinite(value)) fail_expected(what, word);
   return value;
 }
 
@@ -103,8 +114,12 @@ std::int64_t TextScanner::integer() {
   return value;
 }
 
+Place TextScanner::place() const {
+  return {file_, line_, static_cast<int>(word_begin_ - line_begin_) + 1};
+}
+
 void TextScanner::fail(const std::string& message) const {
-  throw InputError(Place{file_, line_, static_cast<int>(word_begin_ - line_begin_) + 1}, message);
+  throw InputError(place(), message);
 }
 
 void TextScanner::fail_expected(std::string_view what, std::string_view found) const {

@@ -1,8 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/input_error.h"
 
 namespace lrcs {
 
@@ -24,10 +27,14 @@ class TextScanner {
   // What is left of this line as it stands, without the blanks around it.
   std::string_view rest_of_line();
 
+  // The next cell of a line of cells between commas, without the blanks and the quotes around it, which may be "";
+  // nothing at the line's end. A line's cells are not to be mixed with its words.
+  std::optional<std::string_view> cell();
+
   // The next word of this line as a number that is finite; rounded correctly.
   double number();
-  // The same, at most 1e100 in size: what a coordinate may be (mesh_builder.h).
-  double coordinate();
+  // The same of the word last taken. `what` was expected, for the message.
+  [[nodiscard]] double number_in(std::string_view word, std::string_view what = "a finite number") const;
   // The next word of this line as an integer.
   std::int64_t integer();
 
@@ -37,6 +44,8 @@ class TextScanner {
   [[noreturn]] void fail_expected(std::string_view what, std::string_view found) const;
 
   [[nodiscard]] int line() const { return line_; }
+  // The place of the word last taken.
+  [[nodiscard]] Place place() const;
   // Bytes not yet taken.
   [[nodiscard]] std::size_t left() const { return text_.size() - at_; }
 
@@ -44,12 +53,14 @@ class TextScanner {
   [[nodiscard]] bool at_line_end() const { return at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r'; }
   [[nodiscard]] bool at_continuation() const;
   void take_line_end();
+  void strip_cell(std::size_t& end);
 
   std::string_view text_;
   std::string file_;
   std::size_t at_ = 0;
   std::size_t line_begin_ = 0;
   std::size_t word_begin_ = 0;
+  bool cells_left_ = true;
   int line_;
 };
 

@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "base/input_error.h"
+#include "measurement/brdf_measurement.h"
+#include "measurement/measurement_builder.h"
+
+namespace lrcs {
+
+// A thing that a file says, and where.
+template <class T>
+struct Said {
+  T value;
+  Place place;
+};
+
+// What a file says of its convention.
+struct SaidConvention {
+  std::optional<Said<int>> azimuth_of_specular;  // [deg]
+  std::optional<Said<bool>> value_has_cosine;
+};
+
+// The convention that holds: the file's, else the one asked for, else the default.
+struct Convention {
+  int azimuth_of_specular = 180;  // [deg]
+  bool value_has_cosine = false;
+  std::string azimuth_note;
+  std::string value_note;
+
+  // Tells the builder.
+  void apply(MeasurementBuilder& builder) const;
+};
+
+// error: InputError where file and options differ, at the place where the file speaks.
+[[nodiscard]] Convention settled(const SaidConvention& said, const MeasurementOptions& options);
+
+// The convention of a format that fixes it. `place` of what shows the format.
+[[nodiscard]] Convention fixed(int azimuth_of_specular, bool value_has_cosine, const Place& place,
+                               const MeasurementOptions& options);
+
+}  // namespace lrcs

@@ -1,0 +1,147 @@
+#include "measurement/measurement_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "base/input_error.h"
+#include "measurement/measured_numbers.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// To (-pi, pi]. -180 deg and what rounding makes of it is 180 deg.
+double wrapped(double phi) {
+  constexpr double rounding = 1e-12;
+  phi = std::remainder(phi, 2.0 * pi);
+  return pi - std::abs(phi) < rounding ? pi : phi;
+}
+
+bool is_grazing(double zenith) {
+  return std::abs(zenith) >= pi / 2.0 - grazing_width;
+}
+
+double zenith_of(const Vec3& w) {
+  return std::atan2(std::hypot(w.x(), w.y()), w.z());
+}
+
+double azimuth_of(const Vec3& w) {
+  return std::atan2(w.y(), w.x());
+}
+
+// The middle one of the values; of an even number, the upper of two.
+double median_f_r(const std::vector<BrdfSample>& samples) {
+  std::vector<double> f_r;
+  f_r.reserve(samples.size());
+  for (const BrdfSample& s : samples) f_r.push_back(s.f_r);
+  const auto middle = f_r.begin() + static_cast<std::ptrdiff_t>(f_r.size() / 2);
+  std::nth_element(f_r.begin(), middle, f_r.end());
+  return *middle;
+}
+
+}  // namespace
+
+MeasurementBuilder::MeasurementBuilder(std::string file, std::string format) : file_(std::move(file)) {
+  measurement_.name = std::filesystem::path(file_).filename().string();
+  measurement_.format = std::move(format);
+}
+
+void MeasurementBuilder::add(BrdfSample sample) {
+  if (is_grazing(sample.theta_i) || is_grazing(sample.theta_r))
+    return leave_out("at 90 deg from the normal, where the cosine is 0,");
+  if ((sample.theta_i < 0.0) != (sample.theta_r < 0.0)) sample.phi += pi;
+  sample.theta_i = std::abs(sample.theta_i);
+  sample.theta_r = std::abs(sample.theta_r);
+  sample.phi = wrapped(sample.phi);
+  if (value_has_cosine_) sample.f_r /= std::cos(sample.theta_r);
+  measurement_.samples.push_back(sample);
+}
+
+void MeasurementBuilder::add(const Vec3& wi, const Vec3& wr, double f_r, int line) {
+  const double theta_i = zenith_of(wi);
+  const double theta_r = zenith_of(wr);
+  if (std::max(theta_i, theta_r) > pi / 2.0 + grazing_width) return leave_out("of directions below the surface,");
+  add({theta_i, theta_r, azimuth_of(wr) - azimuth_of(wi), f_r, 1.0, line});
+}
+
+void MeasurementBuilder::leave_out(std::string_view why) {
+  for (auto& [reason, count] : left_out_) {
+    if (reason != why) continue;
+    ++count;
+    return;
+  }
+  left_out_.emplace_back(why, 1);
+}
+
+void MeasurementBuilder::note_what_is_left_out() {
+  for (const auto& [why, count] : left_out_)
+    note(fmt::format("{} {} {} left out", count, count == 1 ? "value" : "values", why));
+}
+
+void MeasurementBuilder::require_something_to_fit() const {
+  const auto& samples = measurement_.samples;
+  const Place place{file_};
+  if (samples.empty() && left_out_.empty()) throw InputError(place, "holds no values, expected at least one");
+  if (samples.empty()) {
+    const auto& [why, count] = left_out_.front();
+    throw InputError(place, fmt::format("has no value left to fit: {} {} left out", count, why));
+  }
+  const auto all_zero = [&](auto member) {
+    return std::all_of(samples.begin(), samples.end(), [&](const BrdfSample& s) { return s.*member == 0.0; });
+  };
+  if (all_zero(&BrdfSample::f_r))
+    throw InputError(place, fmt::format("all {} values of f_r are 0, nothing to fit", samples.size()));
+  if (all_zero(&BrdfSample::weight))
+    throw InputError(place, fmt::format("all {} weights are 0, nothing to fit", samples.size()));
+}
+
+void MeasurementBuilder::warn_of_one_incidence() {
+  constexpr double same = 1e-3;
+  const auto [least, most] =
+      std::minmax_element(measurement_.samples.begin(), measurement_.samples.end(),
+                          [](const BrdfSample& a, const BrdfSample& b) { return a.theta_i < b.theta_i; });
+  if (most->theta_i - least->theta_i > same) return;
+  measurement_.warnings.push_back(fmt::format(
+      "only one angle of incidence, {:.6g} deg: what changes with it is not determined", most->theta_i / degree));
+}
+
+void MeasurementBuilder::warn_of_radians() {
+  if (!angles_in_degrees_) return;
+  double least = pi;
+  double most = 0.0;
+  for (const BrdfSample& s : measurement_.samples) {
+    for (const double zenith : {s.theta_i, s.theta_r}) {
+      if (zenith > 0.0) least = std::min(least, zenith);
+      most = std::max(most, zenith);
+    }
+  }
+  if (most <= least || most > pi / 2.0 * degree) return;
+  measurement_.warnings.push_back(
+      fmt::format("no angle from the normal passes {:.3g} deg: look like radians, expected degrees", most / degree));
+}
+
+void MeasurementBuilder::warn_of_bright_surface() {
+  constexpr double white = 1.2;
+  const double reflectance = pi * median_f_r(measurement_.samples);
+  if (reflectance <= white) return;
+  measurement_.warnings.push_back(fmt::format(
+      "pi times the median of f_r is {:.3g}, more than a white surface has: is the value relative to a white "
+      "standard, or in percent?",
+      reflectance));
+}
+
+BrdfMeasurement MeasurementBuilder::finish() {
+  require_something_to_fit();
+  note_what_is_left_out();
+  warn_of_one_incidence();
+  warn_of_radians();
+  warn_of_bright_surface();
+  return std::move(measurement_);
+}
+
+}  // namespace lrcs
