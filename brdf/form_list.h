@@ -18,7 +18,7 @@ struct FormParameter {
   std::string_view meaning;  // in words, with the unit
   double least, most;        // a fit keeps to [least, most], within the model's domain
   double from, to;           // where a search begins to look; of no effect for linear parameters
-  enum class Scale { linear, logarithmic } scale = Scale::linear;  // in which such a range is even
+  enum class Scale { linear, logarithmic, ratio } scale = Scale::linear;  // in which such a range is even
   bool is_linear = false;  // f_r is linear in these parameters together, the others being given
 };
 
@@ -50,14 +50,14 @@ struct LambertForm {
 
 inline constexpr std::array wu_parameters{
     linear_parameter("kb", "height of the lobe [1/sr]", 1e10),
-    FormParameter{"kr", "breadth of the lobe [1]", 1e-3, 1e3, 0.03, 10.0, logarithmic},
+    FormParameter{"kr", "breadth of the lobe [1]", 1e-3, 1e3, 0.03, 10.0, ratio},
     FormParameter{"b", "fall of the reflectance with gamma [1]", -1e4, 300.0, -100.0, 20.0, linear},
-    FormParameter{"a", "power of that fall [1]", 0.02, 50.0, 0.2, 5.0, logarithmic},
+    FormParameter{"a", "power of that fall [1]", 0.02, 50.0, 0.2, 5.0, ratio},
     linear_parameter("kd", "height of the diffuse term [1/sr]", 1e10),
-    FormParameter{"sigma_p", "shadowing at normal incidence [1]", 1e-6, 1e4, 1e-3, 10.0, logarithmic},
-    FormParameter{"sigma_r", "shadowing off the plane of incidence [1]", 1e-6, 1e4, 1e-3, 10.0, logarithmic},
-    FormParameter{"u_p", "growth of the shadowing with alpha [1]", 1e-4, 1e6, 0.1, 100.0, logarithmic},
-    FormParameter{"v_p", "delay of that growth [1]", 1e-4, 1e4, 0.05, 50.0, logarithmic}};
+    FormParameter{"sigma_p", "shadowing at normal incidence [1]", 0.0, 1e4, 1e-3, 10.0, ratio},
+    FormParameter{"sigma_r", "shadowing off the plane of incidence [1]", 0.0, 1e4, 0.01, 100.0, ratio},
+    FormParameter{"u_p", "growth of the shadowing with alpha [1]", 0.0, 1e6, 0.1, 100.0, ratio},
+    FormParameter{"v_p", "delay of that growth [1]", 1e-4, 1e4, 0.05, 50.0, ratio}};
 
 struct FiveParameterForm {
   static constexpr std::string_view name = "five_parameter", description = "Wu 2002, empirical shadowing";

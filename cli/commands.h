@@ -21,6 +21,7 @@ void add_sweep_command(CLI::App& app, Common& common);
 void add_check_command(CLI::App& app, Common& common);
 void add_info_command(CLI::App& app, Common& common);
 void add_brdf_commands(CLI::App& app, Common& common);
+void add_fit_command(CLI::App& app, Common& common);
 
 // -t, -v, -q, that every verb takes.
 void add_common_flags(CLI::App& verb, Common& common);

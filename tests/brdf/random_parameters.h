@@ -14,7 +14,7 @@ forms::Values<double, Form::parameters.size()> random_parameters(RandomDirection
     const FormParameter& p = Form::parameters[k];
     if (p.is_linear)
       values[k] = random.uniform(0.05, 0.95);
-    else if (p.scale == FormParameter::Scale::logarithmic)
+    else if (p.scale != FormParameter::Scale::linear)
       values[k] = std::exp(random.uniform(std::log(p.from), std::log(p.to)));
     else
       values[k] = random.uniform(p.from, p.to);

@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "base/input_error.h"
+#include "base/length.h"
+#include "base/nearest_name.h"
+#include "base/whole_file.h"
+#include "brdf/brdf_form.h"
+#include "brdf/brdf_table.h"
+#include "brdf/material_yaml.h"
+#include "cli/commands.h"
+#include "cli/flag_words.h"
+#include "cli/progress_bar.h"
+#include "fit/brdf_fit.h"
+#include "fit/fit_text.h"
+
+namespace lrcs {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Flags {
+  std::string data, model = "five_parameter", material, wavelength, azimuth_of_specular, value, residual = "linear",
+                    incidence;
+  FitOptions fit;
+};
+
+std::vector<std::string> models_of(const std::string& word) {
+  std::vector<std::string> names;
+  for (const BrdfForm& form : brdf_forms()) names.push_back(form.name);
+  if (word == "all") return names;
+  if (find_brdf_form(word) != nullptr) return {word};
+  throw InputError(fmt::format("--model: unknown model '{}'{} (known: all, {})", word, did_you_mean(word, names),
+                               fmt::join(names, ", ")));
+}
+
+std::string one_of(const std::string& word, const std::string& flag, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), word) != words.end()) return word;
+  throw InputError(fmt::format("{}: expected {}, found '{}'", flag, fmt::join(words, " or "), word));
+}
+
+MeasurementOptions measurement_options(const Flags& flags) {
+  MeasurementOptions options;
+  if (!flags.azimuth_of_specular.empty())
+    options.azimuth_of_specular =
+        one_of(flags.azimuth_of_specular, "--azimuth-of-specular", {"180", "0"}) == "180" ? 180 : 0;
+  if (!flags.value.empty())
+    options.value_has_cosine = one_of(flags.value, "--value", {"brdf", "brdf_cosine"}) == "brdf_cosine";
+  return options;
+}
+
+std::optional<double> wavelength_asked(const Flags& flags) {
+  if (flags.wavelength.empty()) return std::nullopt;
+  try {
+    return length_from_text(flags.wavelength);
+  } catch (const std::invalid_argument& wrong) {
+    throw InputError(fmt::format("--wavelength: {}", wrong.what()));
+  }
+}
+
+// The one of these that was measured at the wavelength asked for, or the only one.
+BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& flags) {
+  const auto asked = wavelength_asked(flags);
+  constexpr double same = 1e-3;  // relative
+  std::vector<std::string> known;
+  for (const BrdfMeasurement& m : all) {
+    if (!asked && all.size() == 1) return m;
+    if (asked && m.wavelength == 0.0) {
+      BrdfMeasurement stated = m;
+      stated.wavelength = *asked;
+      return stated;
+    }
+    if (asked && std::abs(m.wavelength - *asked) <= same * *asked) return m;
+    known.push_back(text_of_length(m.wavelength, "um"));
+  }
+  throw InputError(asked ? fmt::format("--wavelength: {} was measured at {}, not at {}", flags.data,
+                                       fmt::join(known, ", "), flags.wavelength)
+                         : fmt::format("{}: measured at several wavelengths: expected --wavelength with one of {}",
+                                       flags.data, fmt::join(known, ", ")));
+}
+
+// Only the samples at these angles of incidence.
+void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
+  if (words.empty()) return;
+  const auto angles = angles_from_words(words, "--incidence", incidence_domain);
+  const auto is_other = [&](const BrdfSample& s) {
+    return std::none_of(angles.begin(), angles.end(),
+                        [&](double deg) { return std::abs(s.theta_i - deg * degree) < 0.005 * degree; });
+  };
+  std::erase_if(measurement.samples, is_other);
+  if (measurement.samples.empty()) throw InputError(fmt::format("--incidence: no samples at {} deg", words));
+}
+
+BrdfMeasurement read(const Flags& flags) {
+  BrdfMeasurement measurement = chosen(read_brdf_measurements(flags.data, measurement_options(flags)), flags);
+  keep_incidence(measurement, flags.incidence);
+  return measurement;
+}
+
+void write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
+  Material material = fit.material;
+  material.source = fmt::format("{} fitted by lrcs to {}, E = {:.4g} %", fit.form, measurement.name, fit.e_percent);
+  write_whole_file(flags.material, material_to_yaml(material));
+  write_whole_file(fs::path(flags.material).replace_extension(".json"), fit_json(fit, measurement));
+}
+
+void check_output(const Flags& flags) {
+  if (flags.material.empty()) return;
+  const std::string extension = fs::path(flags.material).extension().string();
+  if (extension != ".yaml" && extension != ".yml")
+    throw InputError(fmt::format("--output: expected a file that ends in .yaml, found '{}'", flags.material));
+}
+
+void run(Flags& flags, const Common& common) {
+  const auto models = models_of(flags.model);
+  flags.fit.residual =
+      one_of(flags.residual, "--residual", {"linear", "log"}) == "log" ? Residual::logarithmic : Residual::linear;
+  check_output(flags);
+  const BrdfMeasurement measurement = read(flags);
+  if (common.verbose && !common.quiet) {
+    fmt::print(stderr, "lrcs: {}: {}, {} samples\n", measurement.name, measurement.format, measurement.samples.size());
+    for (const auto& note : measurement.notes) fmt::print(stderr, "lrcs: note: {}\n", note);
+  }
+  if (!common.quiet)
+    for (const auto& warning : measurement.warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+  std::vector<BrdfFit> fits;
+  {
+    ProgressBar bar(models.size(), "models", !common.quiet && models.size() > 1);
+    for (const std::string& model : models) {
+      fits.push_back(fit_brdf(measurement, model, flags.fit));
+      bar.update(fits.size());
+    }
+  }
+  const BrdfFit& best = *std::min_element(fits.begin(), fits.end(),
+                                          [](const BrdfFit& a, const BrdfFit& b) { return a.criterion < b.criterion; });
+  if (fits.size() > 1) fmt::print("{}\n", comparison_text(fits));
+  fmt::print("{}", fit_text(best));
+  if (!common.quiet)
+    for (const auto& warning : brdf_warnings(best.material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+  if (!flags.material.empty()) write_results(flags, best, measurement);
+}
+
+void add_search_flags(CLI::App& verb, FitOptions& fit) {
+  GsaaOptions& g = fit.gsaa;
+  const std::string group = "Search";
+  verb.add_option("--seed", g.seed, "Seed of the search (default 1)")->group(group);
+  verb.add_option("--population", g.population, "Individuals of the annealed population (default 64)")
+      ->check(CLI::Range(2, 100000))
+      ->group(group);
+  verb.add_option("--generations", g.generations, "Generations (default 24)")
+      ->check(CLI::Range(0, 100000))
+      ->group(group);
+  verb.add_option("--crossover", g.crossover, "Probability of two parents (default 0.8)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(group);
+  verb.add_option("--mutation", g.mutation, "Probability that a coordinate is moved (default 0.25)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->group(group);
+  verb.add_option("--temperature", g.temperature, "First temperature, a relative rise of the error (default 0.3)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  verb.add_option("--cooling", g.cooling, "Temperature of a generation over the one before (default 0.92)")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->group(group);
+  verb.add_option("--starts", fit.starts, "Polishes from anywhere (default 32)")
+      ->check(CLI::Range(0, 100000))
+      ->group(group);
+  verb.add_option("--neighbours", fit.neighbours, "Polishes around the best, a round (default 24)")
+      ->check(CLI::Range(0, 100000))
+      ->group(group);
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, Common& common) {
+  const auto flags = std::make_shared<Flags>();
+  CLI::App* verb = app.add_subcommand("fit", "Fits a BRDF model to goniometer data");
+  verb->add_option("data", flags->data, "Measured BRDF: lrcs CSV, ALTA .dat, Zemax .bsdf, FRED, MERL .binary, tables")
+      ->required();
+  verb->add_option("-m,--model", flags->model, "A model, or all: compares them (default five_parameter)");
+  verb->add_option("-o,--output", flags->material,
+                   "Write the material (MATERIAL.yaml) and the facts of the fit (MATERIAL.json); of all models the one "
+                   "with the least information criterion");
+  verb->add_option("--wavelength", flags->wavelength, "Which wavelength of the file, or what the file leaves unsaid");
+  verb->add_option("--azimuth-of-specular", flags->azimuth_of_specular,
+                   "Where the file leaves it unsaid: the azimuth of the specular side, 180 (default) or 0 [deg]");
+  verb->add_option("--value", flags->value, "Where the file leaves it unsaid: brdf (default) or brdf_cosine");
+  verb->add_option("--incidence", flags->incidence, "Only these angles of incidence [deg]: A,B,C or FROM:TO:STEP");
+  verb->add_option("--residual", flags->residual, "What is minimised: linear (E, default), or log");
+  add_search_flags(*verb, flags->fit);
+  add_common_flags(*verb, common);
+  verb->callback([flags, &common] { run(*flags, common); });
+}
+
+}  // namespace lrcs

@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "fit/fit_problem.h"
+
+namespace lrcs {
+
+// What data tell of one fitted parameter.
+struct ParameterError95 {
+  double standard_error = 0.0;  // [unit of the parameter]; infinite where the data do not tell
+  double half_width = 0.0;      // of the interval that holds the truth with a chance of 95 % [same]
+  bool determined = false;
+  std::string why_not;  // in words, where it is not
+};
+
+struct Uncertainty {
+  std::vector<ParameterError95> parameters;
+  Eigen::MatrixXd correlation;  // [1]; rows and columns of undetermined parameters as far as they have one, else 0
+};
+
+// value: standard errors of the linearised model, noise having a constant part and one proportional to f_r, both found
+//   from the residuals; corrected by how the squares rise where the parameter is held at the ends of its interval and
+//   the others are fitted again; intervals by Student's distribution.
+// A parameter is determined where it is not at an end of its range, the interval is at most half the value to each side,
+// and the squares rise at its ends by what the linearised model says within a factor of 1.8.
+// check: coverage of the intervals in tests/fit/uncertainty_test.cpp.
+[[nodiscard]] Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters);
+
+}  // namespace lrcs
