@@ -37,8 +37,9 @@ void require_valid(const HemisphereValues& values) {
 }
 
 HemisphereView view_below(double top, double largest_theta_deg) {
-  HemisphereView view{{700.0, 372.0}, 500.0, 0.0, largest_theta_deg};
-  view.rise = top - 12.0 - view.at(largest_theta_deg, behind, 0.0).y;
+  constexpr double room_for_far_labels = 68.0;  // [pixel]
+  HemisphereView view{{715.0, 378.0}, 530.0, 0.0, largest_theta_deg};
+  view.rise = top - room_for_far_labels - view.at(largest_theta_deg, behind, 0.0).y;
   return view;
 }
 
@@ -81,21 +82,40 @@ void draw_value_marks(Canvas& canvas, const HemisphereView& view, const Axis& ax
               {.font = fitting(axis.title, axis_font, view.rise), .x = AlignX::centre, .upward = true});
 }
 
-// Azimuths outside the near half of the rim.
-void draw_rim_marks(Canvas& canvas, const HemisphereView& view) {
+void draw_azimuth(Canvas& canvas, const HemisphereView& view, double phi_deg, double height) {
   constexpr double tick = 12.0, gap = 34.0;  // [pixel]
-  const double rim = view.largest_theta_deg;
-  const double to_viewer = HemisphereView::viewer_azimuth_deg;
-  for (const double phi : multiples(to_viewer - 88.0, to_viewer + 88.0, ray_step)) {
-    const Point at = view.at(rim, phi, 0.0);
-    const double dx = at.x - view.centre.x, dy = at.y - view.centre.y, length = std::hypot(dx, dy);
-    const auto outside = [&](double far) { return Point{at.x + far * dx / length, at.y + far * dy / length}; };
-    canvas.line({at, outside(tick)}, {ink, 2.0});
-    canvas.text(outside(tick + gap), tick_label(phi < 0.0 ? phi + 360.0 : phi, 1.0) + "°",
-                {.font = mark_font, .x = AlignX::centre, .y = AlignY::middle});
-  }
-  canvas.text({view.centre.x, 34.0}, "azimuth phi of the scattering direction [deg]",
+  const Point at = view.at(view.largest_theta_deg, phi_deg, height);
+  const Point middle = view.at(0.0, 0.0, height);
+  const double length = std::hypot(at.x - middle.x, at.y - middle.y);
+  const Point step{(at.x - middle.x) / length, (at.y - middle.y) / length};
+  const auto outside = [&](double far) { return Point{at.x + far * step.x, at.y + far * step.y}; };
+  canvas.line({at, outside(tick)}, {ink, 2.0});
+  canvas.text(outside(tick + gap), tick_label(phi_deg < 0.0 ? phi_deg + 360.0 : phi_deg, 1.0) + "°",
+              {.font = mark_font, .x = AlignX::centre, .y = AlignY::middle});
+}
+
+// Azimuths: of the near half below the rim, of the far half above the wall; not where the upright axis stands.
+void draw_azimuths(Canvas& canvas, const HemisphereView& view) {
+  constexpr double aside = 75.0;  // [deg]
+  const double ahead = behind - 180.0;
+  for (const double phi : multiples(ahead - aside, ahead + aside, ray_step)) draw_azimuth(canvas, view, phi, 0.0);
+  for (const double phi : multiples(behind - aside, behind + aside, ray_step)) draw_azimuth(canvas, view, phi, 1.0);
+  canvas.text({view.centre.x, 34.0}, "azimuth phi [deg] (rim), polar angle theta_r [deg] (rings)",
               {.font = axis_font, .x = AlignX::centre});
+}
+
+// theta_r on every other ring of the surface, between the two rays nearest to the viewer.
+void draw_ring_labels(Canvas& canvas, const HemisphereView& view, const HemisphereValues& values, double full_scale) {
+  constexpr double between_rays = 285.0;  // [deg]
+  const auto ray = std::lower_bound(values.phi_deg.begin(), values.phi_deg.end(), between_rays);
+  const std::size_t p = ray == values.phi_deg.end() ? 0 : static_cast<std::size_t>(ray - values.phi_deg.begin());
+  for (std::size_t t = 1; t + 1 < values.theta_r_deg.size(); ++t) {
+    const double theta = values.theta_r_deg[t];
+    if (std::abs(theta - 20.0 * std::round(theta / 20.0)) > 1e-6) continue;
+    const double height = values.value[t * values.phi_deg.size() + p] / full_scale;
+    canvas.text(view.at(theta, values.phi_deg[p], height), tick_label(theta, 1.0) + "°",
+                {.font = note_font, .x = AlignX::centre, .y = AlignY::middle, .halo = 0.75});
+  }
 }
 
 }  // namespace
@@ -110,7 +130,8 @@ void draw_brdf_surface(const std::filesystem::path& png, const HemisphereValues&
   draw_back_wall(canvas, view, axis);
   canvas.tiles(hemisphere_surface(values, axis.high, view));
   draw_value_marks(canvas, view, axis);
-  draw_rim_marks(canvas, view);
+  draw_ring_labels(canvas, view, values, axis.high);
+  draw_azimuths(canvas, view);
   draw_colour_bar(canvas, {{1390.0, view.centre.y}, {1434.0, view.centre.y + view.rise}}, axis);
   write_png(png, canvas.picture());
 }

@@ -165,7 +165,9 @@ void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture) 
   const Axis values = value_axis(curves, picture.scale);
   const Axis residuals = residual_axis(curves);
   Canvas canvas(1600, 1300);
-  const double top = draw_header(canvas, {picture.title, note_of(picture, curves, values), legend_of(curves)});
+  constexpr double between = 14.0;  // legend and frame [pixel]
+  const double top =
+      draw_header(canvas, {picture.title, note_of(picture, curves, values), legend_of(curves)}) - between;
   const Panels panels = panels_of(canvas, top, x, values, residuals);
   draw_values(canvas, panels.values, x, values, curves);
   draw_residuals(canvas, panels.residuals, x, residuals, curves);

@@ -5,6 +5,7 @@
 #include "base/vec3.h"
 
 namespace lrcs {
+
 Point HemisphereView::at(double theta_deg, double phi_deg, double height) const {
   const double from_middle = radius * theta_deg / largest_theta_deg;
   const double aside = (phi_deg - viewer_azimuth_deg) * degree;

@@ -8,8 +8,8 @@ namespace lrcs {
 // frame: a direction's distance from the disc's middle is theta_r, its azimuth phi: the transmitter's side (0) to the
 //   right, the specular side (180) to the left, as in the plots in the plane of incidence.
 struct HemisphereView {
-  static constexpr double viewer_azimuth_deg = -65.0;
-  static constexpr double viewer_elevation_deg = 28.0;
+  static constexpr double viewer_azimuth_deg = -68.0;
+  static constexpr double viewer_elevation_deg = 25.0;
 
   Point centre;                  // of the disc, at height 0
   double radius = 0.0;           // of the disc, across [pixel]

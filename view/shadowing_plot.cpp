@@ -52,6 +52,13 @@ Axis angle_axis(const std::vector<ShadowingCurves>& materials) {
   return scattering_axis(extent, signed_scattering_angle);
 }
 
+// With room for a line along G = 1.
+Axis shadowing_axis() {
+  Axis axis = linear_axis("shadowing function G", 0.0, 1.0);
+  axis.high = 1.04;
+  return axis;
+}
+
 }  // namespace
 
 void draw_shadowing_plot(const std::filesystem::path& png, const std::vector<ShadowingCurves>& materials,
@@ -62,8 +69,7 @@ void draw_shadowing_plot(const std::filesystem::path& png, const std::vector<Sha
   const auto chosen = spread_choice(incidences, most_incidences);
   Canvas canvas(1600, 1000);
   const double top = draw_header(canvas, {title, choice_note(chosen.size(), incidences), legend_of(materials, chosen)});
-  const CartesianFrame frame =
-      draw_cartesian_frame(canvas, top, angle_axis(materials), linear_axis("shadowing function G", 0.0, 1.0));
+  const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(materials), shadowing_axis());
   for (std::size_t k = chosen.size(); k-- > 0;)
     for (std::size_t m = materials.size(); m-- > 0;) {
       const ShadowingCurve& curve = materials[m].curves[chosen[k]];
