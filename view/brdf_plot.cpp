@@ -96,11 +96,11 @@ void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<Br
   constexpr std::size_t most_incidences = 7;
   const auto& first = materials.front().curves;
   const auto chosen = spread_choice(first.size(), most_incidences);
-  std::vector<double> theta_i_deg;
-  std::vector<std::string> names;
+  std::vector<double> theta_i_deg(chosen.size());
+  std::vector<std::string> names(materials.size());
+  std::transform(chosen.begin(), chosen.end(), theta_i_deg.begin(), [&](auto i) { return first[i].theta_i_deg; });
+  std::transform(materials.begin(), materials.end(), names.begin(), [](const auto& m) { return m.material; });
   std::vector<PennedCurve> penned;
-  for (const std::size_t i : chosen) theta_i_deg.push_back(first[i].theta_i_deg);
-  for (const BrdfCurves& material : materials) names.push_back(material.material);
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (std::size_t m = 0; m < materials.size(); ++m)
       penned.push_back({&materials[m].curves[chosen[k]], family_pen(k, m)});

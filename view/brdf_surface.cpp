@@ -70,12 +70,12 @@ void draw_back_wall(Canvas& canvas, const HemisphereView& view, const Axis& axis
 
 // The upright axis at the left end of the wall.
 void draw_value_marks(Canvas& canvas, const HemisphereView& view, const Axis& axis) {
-  constexpr double tick = 10.0, gap = 12.0, title_gap = 130.0;  // [pixel]
+  constexpr double tick = 10.0, gap = 12.0, label_room = 104.0, title_gap = 130.0;  // [pixel]
   for (std::size_t i = 0; i < axis.marks.size(); ++i) {
     const Point at = view.at(view.largest_theta_deg, behind + 90.0, axis.marks[i] / axis.high);
     canvas.line({at, {at.x - tick, at.y}}, {ink, 2.0});
     canvas.text({at.x - tick - gap, at.y}, axis.labels[i],
-                {.font = mark_font, .x = AlignX::right, .y = AlignY::middle});
+                {.font = fitting(axis.labels[i], mark_font, label_room), .x = AlignX::right, .y = AlignY::middle});
   }
   const Point middle = view.at(view.largest_theta_deg, behind + 90.0, 0.5);
   canvas.text({middle.x - title_gap, middle.y}, axis.title,

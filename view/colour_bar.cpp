@@ -21,7 +21,9 @@ void draw_colour_bar(Canvas& canvas, const Box& bar, const Axis& axis) {
   for (std::size_t i = 0; i < axis.marks.size(); ++i) {
     const double y = bar.low.y + height * (axis.marks[i] - axis.low) / (axis.high - axis.low);
     canvas.line({{bar.high.x, y}, {bar.high.x + tick, y}}, {ink, 2.0});
-    canvas.text({bar.high.x + tick + gap, y}, axis.labels[i], {.font = mark_font, .y = AlignY::middle});
+    const double x = bar.high.x + tick + gap;
+    canvas.text({x, y}, axis.labels[i],
+                {.font = fitting(axis.labels[i], mark_font, canvas.width() - x - gap), .y = AlignY::middle});
   }
 }
 

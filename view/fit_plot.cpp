@@ -45,14 +45,20 @@ Curves chosen_of(const std::vector<FitCurve>& all) {
   return chosen;
 }
 
-double marker_radius(const Curves& curves) {
+std::size_t most_points(const Curves& curves) {
   std::size_t points = 0;
   for (const FitCurve* curve : curves) points = std::max(points, curve->measured_theta_r_deg.size());
-  return points <= 60 ? 9.0 : points <= 120 ? 6.5 : 4.5;
+  return points;
+}
+
+// So many symbols that they would hide a line behind them.
+bool is_dense(const Curves& curves) {
+  return most_points(curves) > 90;
 }
 
 Marker marker_of(std::size_t k, const Curves& curves) {
-  return {marker_shape(k), curve_colour(k), marker_radius(curves)};
+  const double radius = is_dense(curves) ? 4.5 : most_points(curves) > 60 ? 7.0 : 9.0;
+  return {marker_shape(k), curve_colour(k), radius};
 }
 
 Pen fit_pen(std::size_t k) {
@@ -135,24 +141,38 @@ std::vector<Point> points_on(const CartesianFrame& frame, const std::vector<doub
   return points;
 }
 
+void draw_lines(Canvas& canvas, const CartesianFrame& frame, const Curves& curves, double rim) {
+  canvas.clip(frame.box);
+  for (std::size_t k = curves.size(); k-- > 0;) {
+    const Pen pen = fit_pen(k);
+    const auto draw = [&](const Pen& with) {
+      draw_broken_line(canvas, frame, curves[k]->fitted_theta_r_deg, curves[k]->fitted_f_r_per_sr, with);
+    };
+    if (rim > 0.0) draw({white, pen.width + 2.0 * rim});
+    draw(pen);
+  }
+  canvas.no_clip();
+}
+
+// Symbols lie over the lines; where they would hide them, the lines lie over them, with a white rim.
 void draw_values(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, const Curves& curves) {
   const CartesianFrame frame = draw_cartesian_frame(canvas, box, without_labels(x), y);
-  canvas.clip(frame.box);
-  for (std::size_t k = curves.size(); k-- > 0;)
-    draw_broken_line(canvas, frame, curves[k]->fitted_theta_r_deg, curves[k]->fitted_f_r_per_sr, fit_pen(k));
-  canvas.no_clip();
+  if (!is_dense(curves)) draw_lines(canvas, frame, curves, 0.0);
   draw_outline(canvas, frame);
   for (std::size_t k = curves.size(); k-- > 0;)
     draw_markers(canvas, points_on(frame, curves[k]->measured_theta_r_deg, curves[k]->measured_f_r_per_sr),
                  marker_of(k, curves));
+  if (is_dense(curves)) draw_lines(canvas, frame, curves, 1.5);
 }
 
 void draw_residuals(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, const Curves& curves) {
   const CartesianFrame frame = draw_cartesian_frame(canvas, box, x, y);
-  canvas.line({frame.at(x.low, 0.0), frame.at(x.high, 0.0)}, {ink, 3.0});
+  const auto draw_zero = [&] { canvas.line({frame.at(x.low, 0.0), frame.at(x.high, 0.0)}, {ink, 3.0}); };
+  if (!is_dense(curves)) draw_zero();
   for (std::size_t k = curves.size(); k-- > 0;)
     draw_markers(canvas, points_on(frame, curves[k]->measured_theta_r_deg, curves[k]->residual_percent),
                  marker_of(k, curves));
+  if (is_dense(curves)) draw_zero();
 }
 
 }  // namespace

@@ -20,8 +20,13 @@ Tile stroke(const Point& from, const Point& to, double width, const Colour& colo
           colour};
 }
 
-Colour darker(const Colour& colour, double factor) {
-  return {factor * colour.red, factor * colour.green, factor * colour.blue};
+// Of lines on the surface: darker than it, but lighter where it is darkest.
+Colour line_colour(double height) {
+  constexpr double darkest = 0.06, darkness = 0.55, lightness = 0.3;
+  const Colour colour = viridis(std::clamp(height, 0.0, 1.0));
+  const double factor = height < darkest ? 1.0 - lightness : darkness;
+  const double white_share = height < darkest ? lightness : 0.0;
+  return {factor * colour.red + white_share, factor * colour.green + white_share, factor * colour.blue + white_share};
 }
 
 bool is_multiple(double value, double step) {
@@ -102,15 +107,14 @@ class Surface {
       for (double k = 0.0; k < columns; k += 1.0) {
         const double u = i / rows, next_u = (i + 1.0) / rows, v = k / columns, next_v = (k + 1.0) / columns;
         const double mean = between(h[0], h[1], h[2], h[3], 0.5 * (u + next_u), 0.5 * (v + next_v));
-        tiles.push_back({{place(u, v), place(next_u, v), place(next_u, next_v), place(u, next_v)}, colour_at(mean)});
+        tiles.push_back({{place(u, v), place(next_u, v), place(next_u, next_v), place(u, next_v)},
+                         viridis(std::clamp(mean, 0.0, 1.0))});
       }
   }
 
-  static Colour colour_at(double height) { return viridis(std::clamp(height, 0.0, 1.0)); }
-
   void add_line(std::vector<Tile>& tiles, std::size_t t, std::size_t p, std::size_t to_t, std::size_t to_p) const {
-    constexpr double width = 2.0, darkness = 0.55;
-    const Colour colour = darker(colour_at(0.5 * (height(t, p) + height(to_t, to_p))), darkness);
+    constexpr double width = 2.0;
+    const Colour colour = line_colour(0.5 * (height(t, p) + height(to_t, to_p)));
     tiles.push_back(stroke(corner(t, p), corner(to_t, to_p), width, colour));
   }
 

@@ -53,11 +53,24 @@ void draw_row(Canvas& canvas, const std::vector<LegendEntry>& entries, double y)
   }
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+// Broken where the text has line breaks, and between words where a line would be too wide.
+std::vector<std::string> lines_of(const std::string& text, const Font& font, double room) {
   std::vector<std::string> lines;
-  std::istringstream words(text);
-  for (std::string line; std::getline(words, line);)
+  std::istringstream paragraphs(text);
+  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+    std::istringstream words(paragraph);
+    std::string line;
+    for (std::string word; words >> word;) {
+      const std::string longer = line.empty() ? word : line + " " + word;
+      if (!line.empty() && text_size(longer, font).width > room) {
+        lines.push_back(line);
+        line = word;
+      } else {
+        line = longer;
+      }
+    }
     if (!line.empty()) lines.push_back(line);
+  }
   return lines;
 }
 
@@ -76,7 +89,7 @@ double draw_header(Canvas& canvas, const PlotHeader& header) {
     draw_centred(canvas, header.title, title_font, ink, y);
     y -= 1.35 * title_font.size;
   }
-  for (const std::string& line : lines_of(header.note)) {
+  for (const std::string& line : lines_of(header.note, note_font, canvas.width() - 2.0 * margin)) {
     draw_centred(canvas, line, note_font, note_grey, y);
     y -= 1.35 * note_font.size;
   }

@@ -15,8 +15,8 @@ struct LegendEntry {
   bool starts_row = false;
 };
 
-// What stands above a plot, from the top: title, a note in grey (its lines one below the other), the legend in rows.
-// Empty ones take no room.
+// What stands above a plot, from the top: title, a note in grey (wrapped between words, its lines one below the
+// other), the legend in rows. Empty ones take no room.
 struct PlotHeader {
   std::string title;
   std::string note;

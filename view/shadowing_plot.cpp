@@ -37,10 +37,11 @@ void require_valid(const std::vector<ShadowingCurves>& materials) {
 
 std::vector<LegendEntry> legend_of(const std::vector<ShadowingCurves>& materials,
                                    const std::vector<std::size_t>& chosen) {
-  std::vector<double> theta_i_deg;
-  for (const std::size_t i : chosen) theta_i_deg.push_back(materials.front().curves[i].theta_i_deg);
-  std::vector<std::string> names;
-  for (const ShadowingCurves& material : materials) names.push_back(material.material);
+  const auto& first = materials.front().curves;
+  std::vector<double> theta_i_deg(chosen.size());
+  std::vector<std::string> names(materials.size());
+  std::transform(chosen.begin(), chosen.end(), theta_i_deg.begin(), [&](auto i) { return first[i].theta_i_deg; });
+  std::transform(materials.begin(), materials.end(), names.begin(), [](const auto& m) { return m.material; });
   return family_legend(theta_i_deg, names);
 }
 

@@ -153,6 +153,19 @@ TEST(FitPlot, ShowsNegativeMeasuredValuesOnALinearAxis) {
   EXPECT_TRUE(frame.is_at(pixels, curve_colour(0), -60.0, -0.01));
 }
 
+TEST(FitPlot, ShowsTheLineThroughDenseData) {
+  FitCurve curve{0.0, {}, {}, {-80.0, 80.0}, {0.08, 0.08}, {}};
+  for (int k = -160; k <= 160; ++k) {
+    curve.measured_theta_r_deg.push_back(0.5 * k);
+    curve.measured_f_r_per_sr.push_back(k % 2 == 0 ? 0.0805 : 0.0795);
+    curve.residual_percent.push_back(4.0);
+  }
+  const PngPixels pixels = drawn({"Fit", "", {curve}, ValueScale::linear});
+  const PlotFrame frame = Panels(pixels, 0.0, 0.1, 5.0).values;
+  for (double angle = -79.0; angle < 79.0; angle += 0.1)
+    ASSERT_TRUE(frame.is_at(pixels, curve_colour(0), angle, 0.08)) << angle;
+}
+
 TEST(FitPlot, GivesTheSameBytesWhateverTheOrderOfItsCurves) {
   FitPicture picture = constants(5);
   const auto first = scratch_file("first.png"), second = scratch_file("second.png");
