@@ -61,13 +61,11 @@ std::vector<std::string> lines_of(const std::string& text, const Font& font, dou
     std::istringstream words(paragraph);
     std::string line;
     for (std::string word; words >> word;) {
-      const std::string longer = line.empty() ? word : line + " " + word;
-      if (!line.empty() && text_size(longer, font).width > room) {
-        lines.push_back(line);
-        line = word;
-      } else {
-        line = longer;
-      }
+      std::string longer = line;
+      longer.append(line.empty() ? "" : " ").append(word);
+      const bool fits = line.empty() || text_size(longer, font).width <= room;
+      if (!fits) lines.push_back(line);
+      line = fits ? longer : word;
     }
     if (!line.empty()) lines.push_back(line);
   }
