@@ -10,26 +10,13 @@
 #include "base/length.h"
 #include "brdf/brdf_form.h"
 #include "brdf/library.h"
+#include "brdf/shadowing.h"
 
 namespace lrcs {
 namespace {
 
 constexpr double most_rows = 100000.0;
 constexpr double albedo_accuracy = 1e-4;  // relative: three digits are shown
-
-double shadowing_of(const Brdf& brdf, double theta_i, double theta_r) {
-  const Vec3 wi(std::sin(theta_i), 0.0, std::cos(theta_i));
-  const Vec3 wr(std::sin(theta_r), 0.0, std::cos(theta_r));
-  const Vec3 n = Vec3::UnitZ();
-  return std::visit(
-      [&](const auto& model) {
-        if constexpr (requires { model.shadowing(wi, wr, n); })
-          return model.shadowing(wi, wr, n);
-        else
-          return 1.0;
-      },
-      brdf);
-}
 
 void require_domain(const std::vector<double>& theta_i_deg, double step_deg, double largest_deg) {
   const auto is_angle = [](double deg) { return deg >= 0.0 && deg < 90.0; };
@@ -113,7 +100,7 @@ std::string brdf_table(const Material& material, const std::vector<double>& thet
       const double r_deg = k * step_deg;
       text +=
           fmt::format("{},{},0,{},{}\n", i_deg, r_deg, f_r_angles(material.brdf, i_deg * degree, r_deg * degree, 0.0),
-                      shadowing_of(material.brdf, i_deg * degree, r_deg * degree));
+                      shadowing_angles(material.brdf, i_deg * degree, r_deg * degree, 0.0).value_or(1.0));
     }
   return text;
 }

@@ -1,36 +1,23 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
 #include "base/input_error.h"
 #include "brdf/brdf_table.h"
+#include "cli/brdf_pictures.h"
 #include "cli/commands.h"
 #include "cli/flag_words.h"
-#include "view/brdf_plot.h"
 
 namespace lrcs {
 namespace {
 
 struct Options {
-  std::string material, theta_i = "0,30,60", step = "10", png;
+  std::string material, theta_i = "0,30,60", step = "10";
+  std::vector<std::string> compared;
+  BrdfPictures pictures;
 };
-
-// f_r in the plane of incidence, as in the table: a negative theta_r is the specular side.
-BrdfCurve curve_of(const Brdf& brdf, double theta_i_deg) {
-  BrdfCurve curve;
-  curve.theta_i_deg = theta_i_deg;
-  for (int k = -170; k <= 170; ++k) {
-    const double theta_r_deg = 0.5 * k;
-    curve.theta_r_deg.push_back(theta_r_deg);
-    const double phi = theta_r_deg < 0.0 ? std::numbers::pi : 0.0;
-    curve.f_r_per_sr.push_back(f_r_angles(brdf, theta_i_deg * degree, std::abs(theta_r_deg) * degree, phi));
-  }
-  return curve;
-}
 
 std::string table_of(const Material& material, const std::vector<double>& theta_i_deg, const std::string& step) {
   const double step_deg = number_from_words(step, "--step");
@@ -47,27 +34,36 @@ void print_table(const Options& options, bool quiet) {
   const Material material = material_from_argument(options.material);
   const auto theta_i_deg = angles_from_words(options.theta_i, "--theta-i", incidence_domain);
   const std::string table = table_of(material, theta_i_deg, options.step);
-  if (!options.png.empty()) {
-    std::vector<BrdfCurve> curves;
-    curves.reserve(theta_i_deg.size());
-    for (const double angle : theta_i_deg) curves.push_back(curve_of(material.brdf, angle));
-    draw_brdf_plot(options.png, curves, fmt::format("BRDF of {} in the plane of incidence", material.name));
-  }
+  std::vector<Material> materials{material};
+  for (const auto& words : options.compared) materials.push_back(material_from_argument(words));
+  require_drawable(options.pictures, materials);
+  draw_brdf_pictures(options.pictures, materials, theta_i_deg);
   fmt::print("{}", table);
   if (!quiet)
     for (const auto& warning : brdf_warnings(material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+}
+
+void add_picture_flags(CLI::App& brdf, Options& options) {
+  brdf.add_option("-o,--output", options.pictures.curves, "Draw the curves into this PNG file");
+  brdf.add_option("--shadowing", options.pictures.shadowing,
+                  "Draw the shadowing function G into this PNG file (models that have one)");
+  brdf.add_option("--with", options.compared, "Beside MATERIAL in --output and --shadowing; may be repeated")
+      ->allow_extra_args(false);
+  brdf.add_option("--surface", options.pictures.surface,
+                  "Draw f_r over all scattering directions, at the first incidence angle, into this PNG file");
+  brdf.add_option("--surface-shadowing", options.pictures.surface_shadowing, "The same of G");
 }
 
 }  // namespace
 
 void add_brdf_commands(CLI::App& app, Common& common) {
   const auto options = std::make_shared<Options>();
-  CLI::App* brdf = app.add_subcommand("brdf", "Table (stdout) and plot of a material's BRDF, in plane");
+  CLI::App* brdf = app.add_subcommand("brdf", "Table (stdout) and pictures of a material's BRDF");
   brdf->add_option("material", options->material, "lambert:REFLECTANCE, a library name, or a material file")
       ->required();
   brdf->add_option("--theta-i", options->theta_i, "Incidence angles [deg]: A,B,C or FROM:TO:STEP (default 0,30,60)");
   brdf->add_option("--step", options->step, "Step of the scattering angle [deg] (default 10)");
-  brdf->add_option("-o,--output", options->png, "Draw the curves into this PNG file");
+  add_picture_flags(*brdf, *options);
   add_common_flags(*brdf, common);
   brdf->callback([options, &common] { print_table(*options, common.quiet); });
 

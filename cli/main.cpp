@@ -60,7 +60,7 @@ std::string value_complaint(const CLI::App& verb, const CLI::ParseError& wrong) 
   std::string message = wrong.what();
   if (wrong.get_name() != "ArgumentMismatch") return message;
   for (const CLI::Option* option : verb.get_options())
-    if (option->count() > 1)
+    if (option->count() > 1 && option->get_expected_max() == 1)
       return fmt::format("{}: expected once, found {} times", option->get_name(), option->count());
   return fmt::format("{}: its value is missing", message.substr(0, message.find(':')));
 }

@@ -2,26 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "view/cartesian_frame.h"
-#include "view/plot_header.h"
-#include "view/ticks.h"
+#include "view/brdf_axes.h"
+#include "view/incidence_family.h"
 
 namespace lrcs {
 namespace {
-
-struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void take(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  [[nodiscard]] bool empty() const { return low > high; }
-};
 
 void require_valid(const std::vector<BrdfCurve>& curves) {
   if (curves.empty()) throw std::invalid_argument("a plot needs at least one curve");
@@ -38,85 +25,59 @@ void require_valid(const std::vector<BrdfCurve>& curves) {
   }
 }
 
-Axis angle_axis(const std::vector<BrdfCurve>& curves) {
+void require_valid(const std::vector<BrdfCurves>& materials) {
+  if (materials.empty() || materials.size() > most_materials_in_a_plot)
+    throw std::invalid_argument("a BRDF plot needs one to six materials");
+  const auto same_angle = [](const BrdfCurve& a, const BrdfCurve& b) { return a.theta_i_deg == b.theta_i_deg; };
+  const auto& first = materials.front().curves;
+  for (const BrdfCurves& material : materials) {
+    require_valid(material.curves);
+    if (!std::equal(first.begin(), first.end(), material.curves.begin(), material.curves.end(), same_angle))
+      throw std::invalid_argument("a BRDF plot needs the same incidence angles of every material");
+  }
+}
+
+// A curve with the pen it is drawn with.
+struct PennedCurve {
+  const BrdfCurve* curve;
+  Pen pen;
+};
+
+Axis angle_axis(const std::vector<PennedCurve>& curves) {
   Extent extent;
-  for (const BrdfCurve& curve : curves) {
-    for (const double angle : curve.theta_r_deg) extent.take(angle);
-  }
-  if (extent.empty()) extent.take(0.0);
-  if (extent.low == extent.high) extent = {extent.low - 5.0, extent.high + 5.0};
-  const double step = angle_step(extent.high - extent.low, 12);
-  // Data that end just short of a mark (89 deg) get an axis that ends on it.
-  constexpr double short_of = 0.1;  // [step]
-  const double last = step * std::floor(extent.high / step + short_of);
-  const double first = step * std::ceil(extent.low / step - short_of);
-  Axis axis{"scattering angle [deg]", std::min(extent.low, first), std::max(extent.high, last), {}, {}, false};
-  axis.marks = multiples(axis.low, axis.high, step);
-  for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, step));
-  return axis;
+  for (const auto& [curve, pen] : curves)
+    for (const double angle : curve->theta_r_deg) extent.take(angle);
+  return scattering_axis(extent);
 }
 
-Axis linear_axis(const std::string& title, double highest) {
-  const double step = nice_step(highest, 6);
-  Axis axis{title, 0.0, step * std::ceil(highest / step), {}, {}, false};
-  axis.marks = multiples(axis.low, axis.high, step);
-  for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, step));
-  return axis;
-}
-
-std::string decade_label(int exponent) {
-  if (exponent >= -3 && exponent <= 3) return number_label(std::pow(10.0, exponent), 4);
-  return "1e" + number_label(exponent, 3);
-}
-
-Axis logarithmic_axis(const std::string& title, const Extent& positive) {
-  const double top = std::ceil(std::log10(positive.high));
-  const double foot = std::max(std::floor(std::log10(positive.low)), top - 6.0);
-  Axis axis{title, std::pow(10.0, foot), std::pow(10.0, top), {}, {}, true};
-  for (double decade = foot; decade <= top; decade += 1.0) {
-    axis.marks.push_back(std::pow(10.0, decade));
-    axis.labels.push_back(decade_label(static_cast<int>(decade)));
-  }
-  return axis;
-}
-
-Axis value_axis(const std::vector<BrdfCurve>& curves) {
-  constexpr double ratio_for_logarithm = 50.0;
-  const std::string title = "BRDF [1/sr]";
+Axis value_axis(const std::vector<PennedCurve>& curves) {
   Extent positive;
-  for (const BrdfCurve& curve : curves) {
-    for (const double f_r : curve.f_r_per_sr) {
+  for (const auto& [curve, pen] : curves)
+    for (const double f_r : curve->f_r_per_sr)
       if (std::isfinite(f_r) && f_r > 0.0) positive.take(f_r);
-    }
-  }
-  if (positive.empty()) return linear_axis(title, 1.0);
-  if (positive.high > ratio_for_logarithm * positive.low) return logarithmic_axis(title, positive);
-  return linear_axis(title, positive.high);
+  return f_r_axis(positive, positive);
 }
 
-void draw_curve(Canvas& canvas, const CartesianFrame& frame, const BrdfCurve& curve, const Pen& pen) {
-  std::vector<Point> stroke;
-  const auto finish = [&] {
-    canvas.line(stroke, pen);
-    stroke.clear();
-  };
-  for (std::size_t i = 0; i < curve.f_r_per_sr.size(); ++i) {
-    const double f_r = curve.f_r_per_sr[i];
-    const bool drawable = std::isfinite(f_r) && (f_r > 0.0 || !frame.y.logarithmic);
-    if (drawable) stroke.push_back(frame.at(curve.theta_r_deg[i], f_r));
-    if (!drawable) finish();
+void draw(const std::filesystem::path& png, const PlotHeader& header, const std::vector<PennedCurve>& curves) {
+  Canvas canvas(1600, 1000);
+  const double top = draw_header(canvas, header);
+  const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves), value_axis(curves));
+  canvas.clip(frame.box);
+  for (std::size_t i = curves.size(); i-- > 0;) {
+    const auto& [curve, pen] = curves[i];
+    draw_broken_line(canvas, frame, curve->theta_r_deg, curve->f_r_per_sr, pen);
   }
-  finish();
-}
-
-std::string label_of(const BrdfCurve& curve) {
-  return "incidence " + number_label(curve.theta_i_deg, 6) + "°";
+  canvas.no_clip();
+  draw_outline(canvas, frame);
+  write_png(png, canvas.picture());
 }
 
 PlotHeader header_of(const std::vector<BrdfCurve>& curves, const std::string& title) {
-  if (curves.size() == 1) return {title, label_of(curves.front()), {}};
+  if (curves.size() == 1) return {title, incidence_label(curves.front().theta_i_deg), {}};
   PlotHeader header{title, "", {}};
-  for (std::size_t i = 0; i < curves.size(); ++i) header.legend.push_back({label_of(curves[i]), curve_pen(i)});
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    header.legend.push_back({incidence_label(curves[i].theta_i_deg), curve_pen(i)});
+  }
   return header;
 }
 
@@ -124,14 +85,26 @@ PlotHeader header_of(const std::vector<BrdfCurve>& curves, const std::string& ti
 
 void draw_brdf_plot(const std::filesystem::path& png, const std::vector<BrdfCurve>& curves, const std::string& title) {
   require_valid(curves);
-  Canvas canvas(1600, 1000);
-  const double top = draw_header(canvas, header_of(curves, title));
-  const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves), value_axis(curves));
-  canvas.clip(frame.box);
-  for (std::size_t i = curves.size(); i-- > 0;) draw_curve(canvas, frame, curves[i], curve_pen(i));
-  canvas.no_clip();
-  draw_outline(canvas, frame);
-  write_png(png, canvas.picture());
+  std::vector<PennedCurve> penned;
+  for (std::size_t i = 0; i < curves.size(); ++i) penned.push_back({&curves[i], curve_pen(i)});
+  draw(png, header_of(curves, title), penned);
+}
+
+void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<BrdfCurves>& materials,
+                          const std::string& title) {
+  require_valid(materials);
+  constexpr std::size_t most_incidences = 7;
+  const auto& first = materials.front().curves;
+  const auto chosen = spread_choice(first.size(), most_incidences);
+  std::vector<double> theta_i_deg(chosen.size());
+  std::vector<std::string> names(materials.size());
+  std::transform(chosen.begin(), chosen.end(), theta_i_deg.begin(), [&](auto i) { return first[i].theta_i_deg; });
+  std::transform(materials.begin(), materials.end(), names.begin(), [](const auto& m) { return m.material; });
+  std::vector<PennedCurve> penned;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      penned.push_back({&materials[m].curves[chosen[k]], family_pen(k, m)});
+  draw(png, {title, choice_note(chosen.size(), first.size()), family_legend(theta_i_deg, names)}, penned);
 }
 
 }  // namespace lrcs

@@ -25,4 +25,16 @@ struct BrdfCurve {
 // check: tests/view/brdf_plot_test.cpp.
 void draw_brdf_plot(const std::filesystem::path& png, const std::vector<BrdfCurve>& curves, const std::string& title);
 
+// The curves of one material.
+struct BrdfCurves {
+  std::string material;
+  std::vector<BrdfCurve> curves;
+};
+
+// The same of several materials: the colour tells theta_i, the dashes the material. Of more than seven incidence angles
+// seven spread ones, which the picture says.
+// domain: one to six materials, the same theta_i in the same order in each.
+void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<BrdfCurves>& materials,
+                          const std::string& title);
+
 }  // namespace lrcs

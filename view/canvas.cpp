@@ -177,6 +177,10 @@ void Canvas::disc(const Point& centre, double radius, const Colour& colour) {
   line({centre}, {colour, 2.0 * radius});
 }
 
+void Canvas::tiles(const std::vector<Tile>& tiles) {
+  paint_tiles(sheet_, clip_, tiles);
+}
+
 void Canvas::text(const Point& anchor, const std::string& text, const TextStyle& style) {
   TextBitmap bitmap = text_bitmap(text, style.font);
   const double dx = shift(style.x, bitmap.width);

@@ -6,6 +6,7 @@
 #include "view/colour.h"
 #include "view/png.h"
 #include "view/text_bitmap.h"
+#include "view/tiles.h"
 
 class vtkAlgorithm;
 class vtkScalarsToColors;
@@ -71,6 +72,8 @@ class Canvas {
   void frame(const Box& box, const Pen& pen);
   void circle(const Point& centre, double radius, const Pen& pen);
   void disc(const Point& centre, double radius, const Colour& colour);
+  // Filled polygons, later ones over earlier ones, without seams between neighbours: see view/tiles.h.
+  void tiles(const std::vector<Tile>& tiles);
   void text(const Point& anchor, const std::string& text, const TextStyle& style);
 
   [[nodiscard]] const Picture& picture() const { return sheet_; }

@@ -11,6 +11,8 @@ namespace {
 constexpr double gap = 14.0;     // between frame and labels [pixel]
 constexpr double border = 26.0;  // between titles and the picture's edge [pixel]
 
+constexpr double room_below = 1.2 * axis_font.size + mark_font.size + 2.5 * gap;  // a frame, for labels and title
+
 double share(const Axis& axis, double value) {
   if (axis.logarithmic) return std::log(value / axis.low) / std::log(axis.high / axis.low);
   return (value - axis.low) / (axis.high - axis.low);
@@ -20,13 +22,6 @@ double widest(const std::vector<std::string>& labels) {
   double width = 0.0;
   for (const std::string& label : labels) width = std::max(width, text_size(label, mark_font).width);
   return width;
-}
-
-Box room_for_frame(const Canvas& canvas, double top, const Axis& x, const Axis& y) {
-  const double left = border + 1.2 * axis_font.size + widest(y.labels) + 2.0 * gap;
-  const double bottom = border + 1.2 * axis_font.size + mark_font.size + 2.5 * gap;
-  const double last_label = x.labels.empty() ? 0.0 : 0.5 * text_size(x.labels.back(), mark_font).width;
-  return {{left, bottom}, {canvas.width() - border - std::max(gap, last_label), top}};
 }
 
 void draw_x_marks(Canvas& canvas, const CartesianFrame& frame) {
@@ -49,7 +44,7 @@ void draw_y_marks(Canvas& canvas, const CartesianFrame& frame) {
 
 void draw_titles(Canvas& canvas, const CartesianFrame& frame) {
   const Box& box = frame.box;
-  canvas.text({0.5 * (box.low.x + box.high.x), border + 6.0}, frame.x.title,
+  canvas.text({0.5 * (box.low.x + box.high.x), box.low.y - room_below + 6.0}, frame.x.title,
               {.font = fitting(frame.x.title, axis_font, box.high.x - box.low.x), .x = AlignX::centre});
   canvas.text({border + 0.8 * axis_font.size, 0.5 * (box.low.y + box.high.y)}, frame.y.title,
               {.font = fitting(frame.y.title, axis_font, box.high.y - box.low.y), .x = AlignX::centre, .upward = true});
@@ -61,8 +56,19 @@ Point CartesianFrame::at(double x_value, double y_value) const {
   return {std::lerp(box.low.x, box.high.x, share(x, x_value)), std::lerp(box.low.y, box.high.y, share(y, y_value))};
 }
 
+Box room_for_frame(const Canvas& canvas, double top, const Axis& x, const Axis& y) {
+  const double left = border + 1.2 * axis_font.size + widest(y.labels) + 2.0 * gap;
+  const double bottom = border + room_below;
+  const double last_label = x.labels.empty() ? 0.0 : 0.5 * text_size(x.labels.back(), mark_font).width;
+  return {{left, bottom}, {canvas.width() - border - std::max(gap, last_label), top}};
+}
+
 CartesianFrame draw_cartesian_frame(Canvas& canvas, double top, const Axis& x, const Axis& y) {
-  CartesianFrame frame{room_for_frame(canvas, top, x, y), x, y};
+  return draw_cartesian_frame(canvas, room_for_frame(canvas, top, x, y), x, y);
+}
+
+CartesianFrame draw_cartesian_frame(Canvas& canvas, const Box& box, const Axis& x, const Axis& y) {
+  CartesianFrame frame{box, x, y};
   draw_x_marks(canvas, frame);
   draw_y_marks(canvas, frame);
   draw_titles(canvas, frame);

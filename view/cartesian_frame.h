@@ -27,8 +27,12 @@ struct CartesianFrame {
   [[nodiscard]] Point at(double x_value, double y_value) const;
 };
 
-// Rules the canvas below `top` [pixel]: grid, marks, labels, titles.
+// The box below `top` [pixel] that leaves room for the axes' labels and titles.
+[[nodiscard]] Box room_for_frame(const Canvas& canvas, double top, const Axis& x, const Axis& y);
+
+// Rules that box, or the given one: grid, marks, labels, titles.
 [[nodiscard]] CartesianFrame draw_cartesian_frame(Canvas& canvas, double top, const Axis& x, const Axis& y);
+[[nodiscard]] CartesianFrame draw_cartesian_frame(Canvas& canvas, const Box& box, const Axis& x, const Axis& y);
 
 // The frame's outline, over the curves' ends.
 void draw_outline(Canvas& canvas, const CartesianFrame& frame);

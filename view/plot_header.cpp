@@ -1,6 +1,7 @@
 #include "view/plot_header.h"
 
 #include <array>
+#include <sstream>
 
 namespace lrcs {
 namespace {
@@ -17,6 +18,7 @@ double entry_width(const LegendEntry& entry, const Font& font) {
 
 void draw_entry(Canvas& canvas, const LegendEntry& entry, const Font& font, const Point& left) {
   canvas.line({left, {left.x + stroke, left.y}}, entry.pen);
+  if (entry.marker) draw_markers(canvas, {{left.x + 0.5 * stroke, left.y}}, *entry.marker);
   canvas.text({left.x + stroke + text_gap, left.y}, entry.label,
               {.font = font, .x = AlignX::left, .y = AlignY::middle});
 }
@@ -27,7 +29,7 @@ std::vector<std::vector<LegendEntry>> rows_of(const std::vector<LegendEntry>& le
   double taken = 0.0;
   for (const LegendEntry& entry : legend) {
     const double width = entry_width(entry, note_font);
-    if (rows.empty() || taken + entry_gap + width > room) {
+    if (rows.empty() || entry.starts_row || taken + entry_gap + width > room) {
       rows.emplace_back();
       taken = -entry_gap;
     }
@@ -51,6 +53,25 @@ void draw_row(Canvas& canvas, const std::vector<LegendEntry>& entries, double y)
   }
 }
 
+// Broken where the text has line breaks, and between words where a line would be too wide.
+std::vector<std::string> lines_of(const std::string& text, const Font& font, double room) {
+  std::vector<std::string> lines;
+  std::istringstream paragraphs(text);
+  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+    std::istringstream words(paragraph);
+    std::string line;
+    for (std::string word; words >> word;) {
+      std::string longer = line;
+      longer.append(line.empty() ? "" : " ").append(word);
+      const bool fits = line.empty() || text_size(longer, font).width <= room;
+      if (!fits) lines.push_back(line);
+      line = fits ? longer : word;
+    }
+    if (!line.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
 void draw_centred(Canvas& canvas, const std::string& text, const Font& font, const Colour& colour, double top) {
   const Font fitted = fitting(text, font, canvas.width() - 2.0 * margin);
   canvas.text({0.5 * canvas.width(), top}, text,
@@ -66,8 +87,8 @@ double draw_header(Canvas& canvas, const PlotHeader& header) {
     draw_centred(canvas, header.title, title_font, ink, y);
     y -= 1.35 * title_font.size;
   }
-  if (!header.note.empty()) {
-    draw_centred(canvas, header.note, note_font, note_grey, y);
+  for (const std::string& line : lines_of(header.note, note_font, canvas.width() - 2.0 * margin)) {
+    draw_centred(canvas, line, note_font, note_grey, y);
     y -= 1.35 * note_font.size;
   }
   for (const auto& entries : rows_of(header.legend, canvas.width() - 2.0 * margin)) {

@@ -1,17 +1,22 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "view/canvas.h"
+#include "view/marker.h"
 
 namespace lrcs {
 
 struct LegendEntry {
   std::string label;
   Pen pen;
+  std::optional<Marker> marker = {};  // on the middle of the line
+  bool starts_row = false;
 };
 
-// What stands above a plot, from the top: title, a note in grey, the legend in rows. Empty ones take no room.
+// What stands above a plot, from the top: title, a note in grey (wrapped between words, its lines one below the
+// other), the legend in rows. Empty ones take no room.
 struct PlotHeader {
   std::string title;
   std::string note;

@@ -105,6 +105,21 @@ std::vector<Wrong> wrong_words() {
       {{"brdf", "lambert:0.5", "--step", "x"}, "--step: expected a number, found 'x'"},
       {{"brdf", "lambert:0.5", "--step", "0.01", "--theta-i", "0:80:1"},
        "--step: expected a step > 0 deg that gives at most 100000 rows"},
+      {{"brdf", "lambert:0.5", "--shadowing", "g.png"},
+       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+      {{"brdf", "metal-skin-5p", "--with", "lambert:0.5", "-o", "f.png", "--shadowing", "g.png"},
+       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+      {{"brdf", "lambert:0.5", "--surface-shadowing", "g.png"},
+       "--surface-shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+      {{"brdf", "lambert:0.5", "--with", "metal-skin-5p"}, "--with: expected beside --output or --shadowing"},
+      {{"brdf", "lambert:0.5", "--with"}, "--with: its value is missing (see lrcs brdf --help)"},
+      {{"brdf", "lambert:0.5", "--with", "steel.yaml", "-o", "f.png"}, "material: no such file: 'steel.yaml'"},
+      {{"brdf", "lambert:0", "-o", "f.png", "--with", "lambert:0.1", "--with", "lambert:0.2", "--with", "lambert:0.3",
+        "--with", "lambert:0.4", "--with", "lambert:0.5", "--with", "lambert:0.6"},
+       "--with: expected at most 5 materials, found 6"},
+      {{"brdf", "lambert:0.5", "--with", "lambert:0.1", "--with", "lambert:0.2", "--surface", "a.png", "--surface",
+        "b.png"},
+       "--surface: expected once, found 2 times (see lrcs brdf --help)"},
   };
 }
 
@@ -119,6 +134,7 @@ TEST(WrongUsage, IsOneLineThatSaysWhatWasExpected) {
     EXPECT_EQ(outcome.out, "");
   }
   EXPECT_FALSE(folder.has("box-lrcs"));
+  EXPECT_FALSE(folder.has("f.png"));
 }
 
 TEST(WrongUsage, OfVerbsNamesThemAll) {
@@ -193,6 +209,18 @@ TEST(Brdf, PrintsATableAndDrawsItsCurves) {
             std::string::npos)
       << outcome.out;
   EXPECT_EQ(folder.read("f.png").substr(1, 3), "PNG");
+}
+
+TEST(Brdf, DrawsEveryPictureAskedForAndTheSameTable) {
+  const ScratchFolder folder;
+  const Words plain{"brdf", "metal-skin-9p", "--theta-i", "30,60", "-q"};
+  const Outcome outcome =
+      run_lrcs(with(plain, {"-o", "f.png", "--shadowing", "g.png", "--with", "painted-steel-5p", "--with",
+                            "painted-steel-9p", "--surface", "fs.png", "--surface-shadowing", "gs.png"}),
+               {folder.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, run_lrcs(plain).out);
+  for (const char* png : {"f.png", "g.png", "fs.png", "gs.png"}) EXPECT_EQ(folder.read(png).substr(1, 3), "PNG") << png;
 }
 
 TEST(Brdf, TakesAMaterialFile) {

@@ -55,6 +55,27 @@ TEST(BrdfPlot, BreaksWhereTheBrdfIsInfinite) {
   EXPECT_GT(find_colour(PngPixels(png), curve_colour(0)).count, 2000);
 }
 
+TEST(BrdfPlot, ComparesMaterialsByDashes) {
+  const std::vector<BrdfCurve> curves{lobe(0.0, 15.0, 0.05), lobe(30.0, 15.0, 0.05)};
+  const auto solid = scratch_file("solid.png"), dashed = scratch_file("dashed.png");
+  draw_brdf_plot(solid, curves, "one");
+  draw_brdf_comparison(dashed, {{"one", {lobe(0.0, 15.0, 0.05)}}, {"two", {lobe(0.0, 5.0, 0.01)}}}, "two");
+  const int one = find_colour(PngPixels(solid), curve_colour(0)).count;
+  const int both = find_colour(PngPixels(dashed), curve_colour(0)).count;
+  EXPECT_GT(both, 1.3 * one);
+  EXPECT_LT(both, 2.0 * one);
+}
+
+TEST(BrdfPlot, RefusesMaterialsThatCannotBeCompared) {
+  const auto png = scratch_file("brdf.png");
+  const BrdfCurves good{"good", {lobe(0.0, 15.0, 0.05)}};
+  EXPECT_THROW(draw_brdf_comparison(png, {}, ""), std::invalid_argument);
+  EXPECT_THROW(draw_brdf_comparison(png, std::vector<BrdfCurves>(7, good), ""), std::invalid_argument);
+  EXPECT_THROW(draw_brdf_comparison(png, {good, {"other", {lobe(10.0, 15.0, 0.05)}}}, ""), std::invalid_argument);
+  EXPECT_THROW(draw_brdf_comparison(png, {good, {"none", {}}}, ""), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(png));
+}
+
 TEST(BrdfPlot, RefusesCurvesThatCannotBe) {
   const auto png = scratch_file("brdf.png");
   EXPECT_THROW(draw_brdf_plot(png, {}, ""), std::invalid_argument);

@@ -1,0 +1,37 @@
+#include "view/plot_header.h"
+
+#include <gtest/gtest.h>
+
+namespace lrcs {
+namespace {
+
+double height_of(const PlotHeader& header) {
+  Canvas canvas(1600, 600);
+  return 600.0 - draw_header(canvas, header);
+}
+
+TEST(PlotHeader, BreaksANoteAtItsLineBreaks) {
+  const double one = height_of({"title", "note", {}}), none = height_of({"title", "", {}});
+  EXPECT_GT(one, none);
+  EXPECT_DOUBLE_EQ(height_of({"title", "note\nnote", {}}) - one, one - none);
+  EXPECT_DOUBLE_EQ(height_of({"title", "\nnote\n", {}}), one);
+}
+
+TEST(PlotHeader, BreaksANoteBetweenWordsWhereItIsTooWide) {
+  std::string note = "word";
+  for (int k = 0; k < 40; ++k) note += " word";
+  const double none = height_of({"", "", {}}), one = height_of({"", "word", {}}) - none;
+  const double needed = text_size(note, note_font).width / 1600.0;
+  EXPECT_GE(height_of({"", note, {}}) - none, one * needed);
+  EXPECT_LE(height_of({"", note, {}}) - none, one * (needed + 2.0));
+}
+
+TEST(PlotHeader, StartsARowOfTheLegendWhereToldTo) {
+  LegendEntry second{"second", {}};
+  const double one = height_of({"", "", {{"first", {}}, second}});
+  second.starts_row = true;
+  EXPECT_GT(height_of({"", "", {{"first", {}}, second}}), one);
+}
+
+}  // namespace
+}  // namespace lrcs

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "view/brdf_axes.h"
+
+namespace lrcs {
+
+// A measured BRDF and its fit in the plane of incidence, for one theta_i.
+// shape: one value an angle, and one residual a measured point; measured points in any order, fitted angles rise.
+// domain: all finite, fitted f_r >= 0; measured f_r of either sign (noise). At least one measured and one fitted point.
+struct FitCurve {
+  double theta_i_deg = 0.0;
+  std::vector<double> measured_theta_r_deg;  // negative: the specular side, as in the tables of brdf/brdf_table.h
+  std::vector<double> measured_f_r_per_sr;
+  std::vector<double> fitted_theta_r_deg;
+  std::vector<double> fitted_f_r_per_sr;
+  std::vector<double> residual_percent;  // of the largest measured f_r cos(theta_r) of the set
+};
+
+struct FitPicture {
+  std::string title;
+  std::string note;  // below the title; its lines one below the other
+  std::vector<FitCurve> curves;
+  ValueScale scale = ValueScale::automatic;
+};
+
+// Writes a PNG, 1600 x 1300 pixels: above, measured points as symbols and the fit as lines, a colour and a symbol for
+// each theta_i; below, the residuals. Needs no display.
+// value: the scale as in view/brdf_axes.h. Of more than eight incidence angles eight spread ones; the picture says so,
+//   and how many measured points lie below a logarithmic axis.
+// laws: the same picture gives the same bytes, whatever the order of its curves where their theta_i differ.
+// domain: at least one curve, valid ones; else std::invalid_argument.
+// error: std::runtime_error where the file cannot be written.
+// check: tests/view/fit_plot_test.cpp.
+void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture);
+
+}  // namespace lrcs
