@@ -102,12 +102,6 @@ bool is_honest(double ratio) {
 Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters) {
   const auto size = static_cast<Index>(parameters.size());
   const Linearised l(problem, parameters);
-  const Inverse inverse(l.jacobian);
-  const Eigen::VectorXd variance = variances(problem, l, inverse.matrix);
-  const Eigen::MatrixXd covariance =
-      inverse.matrix * (l.jacobian.transpose() * variance.asDiagonal() * l.jacobian) * inverse.matrix;
-  const double t = quantile_95(l.residual.size() - static_cast<Index>(l.free.size()));
-
   Uncertainty result;
   result.correlation = Eigen::MatrixXd::Identity(size, size);
   for (const FormParameter& p : problem.parameters()) {
@@ -115,6 +109,12 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
     result.parameters.push_back(
         {infinite, infinite, false, is_at_end(p, value) ? "at the end of its range" : "no effect"});
   }
+  if (l.free.empty()) return result;
+  const Inverse inverse(l.jacobian);
+  const Eigen::VectorXd variance = variances(problem, l, inverse.matrix);
+  const Eigen::MatrixXd covariance =
+      inverse.matrix * (l.jacobian.transpose() * variance.asDiagonal() * l.jacobian) * inverse.matrix;
+  const double t = quantile_95(l.residual.size() - static_cast<Index>(l.free.size()));
   for (Index j = 0; j < static_cast<Index>(l.free.size()); ++j) {
     ParameterError95& error = result.parameters[l.free[j]];
     const double value = parameters[l.free[j]];
