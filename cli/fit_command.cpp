@@ -16,6 +16,7 @@
 #include "brdf/brdf_table.h"
 #include "brdf/material_yaml.h"
 #include "cli/commands.h"
+#include "cli/fit_pictures.h"
 #include "cli/flag_words.h"
 #include "cli/progress_bar.h"
 #include "fit/brdf_fit.h"
@@ -104,11 +105,16 @@ BrdfMeasurement read(const Flags& flags) {
   return measurement;
 }
 
-void write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
+std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
   Material material = fit.material;
   material.source = fmt::format("{} fitted by lrcs to {}, E = {:.4g} %", fit.form, measurement.name, fit.e_percent);
   write_whole_file(flags.material, material_to_yaml(material));
-  write_whole_file(fs::path(flags.material).replace_extension(".json"), fit_json(fit, measurement));
+  const fs::path facts = fs::path(flags.material).replace_extension(".json");
+  write_whole_file(facts, fit_json(fit, measurement));
+  std::vector<fs::path> files{flags.material, facts};
+  const auto pictures = draw_fit_pictures(flags.material, fit, measurement);
+  files.insert(files.end(), pictures.begin(), pictures.end());
+  return files;
 }
 
 void check_output(const Flags& flags) {
@@ -144,7 +150,10 @@ void run(Flags& flags, const Common& common) {
   fmt::print("{}", fit_text(best));
   if (!common.quiet)
     for (const auto& warning : brdf_warnings(best.material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
-  if (!flags.material.empty()) write_results(flags, best, measurement);
+  if (flags.material.empty()) return;
+  std::vector<std::string> written;
+  for (const fs::path& file : write_results(flags, best, measurement)) written.push_back(file.string());
+  if (!common.quiet) fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
 }
 
 void add_search_flags(CLI::App& verb, FitOptions& fit) {
@@ -185,9 +194,10 @@ void add_fit_command(CLI::App& app, Common& common) {
   verb->add_option("data", flags->data, "Measured BRDF: lrcs CSV, ALTA .dat, Zemax .bsdf, FRED, MERL .binary, tables")
       ->required();
   verb->add_option("-m,--model", flags->model, "A model, or all: compares them (default five_parameter)");
-  verb->add_option("-o,--output", flags->material,
-                   "Write the material (MATERIAL.yaml) and the facts of the fit (MATERIAL.json); of all models the one "
-                   "with the least information criterion");
+  verb->add_option(
+      "-o,--output", flags->material,
+      "Write the material (MATERIAL.yaml), the facts of the fit (.json) and pictures (.png); of all models "
+      "that with the least information criterion");
   verb->add_option("--wavelength", flags->wavelength, "Which wavelength of the file, or what the file leaves unsaid");
   verb->add_option("--azimuth-of-specular", flags->azimuth_of_specular,
                    "Where the file leaves it unsaid: the azimuth of the specular side, 180 (default) or 0 [deg]");
