@@ -35,14 +35,35 @@ std::vector<BrdfSample> thinned(const std::vector<BrdfSample>& samples, std::siz
 }
 
 // Five parameters with the empirical shadowing constants are a place among nine.
-std::vector<std::vector<double>> contained_fits(std::string_view form, const std::vector<BrdfSample>& samples,
+std::vector<std::vector<double>> contained_fits(std::string_view form, const BrdfMeasurement& measurement,
                                                 const FitOptions& options) {
   if (form != forms::NineParameterForm::name) return {};
-  const auto five = fit_problem(forms::FiveParameterForm::name, 180, samples, options.residual);
-  auto start = search(*five, options).parameters;
+  const BrdfFit five = fit_brdf(measurement, forms::FiveParameterForm::name, options);
+  std::vector<double> start;
+  for (const FittedParameter& p : five.parameters) start.push_back(p.value);
   const WuParameters<double> empirical;
   start.insert(start.end(), {empirical.sigma_p, empirical.sigma_r, empirical.u_p, empirical.v_p});
   return {start};
+}
+
+// The search's result; where it saw only some of the samples, what the best of its ends become with all of them.
+Found found_in(const FitProblem& problem, const BrdfMeasurement& measurement, std::string_view form,
+               const FitOptions& options) {
+  const auto starts = contained_fits(form, measurement, options);
+  const auto most = static_cast<std::size_t>(options.search_rows);
+  if (measurement.samples.size() <= most) return search(problem, options, starts);
+  const auto few = fit_problem(form, 180, thinned(measurement.samples, most), options.residual);
+  Found found = search(*few, options, starts);
+  constexpr std::size_t most_ends = 8;
+  std::vector<std::vector<double>> ends = starts;
+  for (std::size_t k = 0; k < std::min(most_ends, found.rivals.size()); ++k) ends.push_back(found.rivals[k].parameters);
+  found.rivals.clear();
+  constexpr Patience roughly{60, 1e-8};
+  for (const auto& end : ends) found.rivals.push_back(descend(problem, end, roughly));
+  std::stable_sort(found.rivals.begin(), found.rivals.end(),
+                   [](const Polished& a, const Polished& b) { return a.squares < b.squares; });
+  found.parameters = descend(problem, found.rivals.front().parameters, {}).parameters;
+  return found;
 }
 
 double rms_logarithm(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
@@ -57,8 +78,9 @@ double rms_logarithm(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
   return count > 0.0 ? std::sqrt(squares.value() / count) : 0.0;
 }
 
-void set_parameters(BrdfFit& fit, const FitProblem& problem, const std::vector<double>& values) {
-  const Uncertainty errors = uncertainty(problem, values);
+void set_parameters(BrdfFit& fit, const FitProblem& problem, const std::vector<double>& values,
+                    const std::vector<Polished>& rivals) {
+  const Uncertainty errors = uncertainty(problem, values, rivals);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const FormParameter& p = problem.parameters()[k];
     const ParameterError95& e = errors.parameters[k];
@@ -92,16 +114,14 @@ double norm_e(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
 BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name, const FitOptions& options) {
   const BrdfForm& form = *find_brdf_form(form_name);
   require_enough(measurement, form, options.residual);
-  const auto few = thinned(measurement.samples, static_cast<std::size_t>(options.search_rows));
-  const auto sought =
-      search(*fit_problem(form_name, 180, few, options.residual), options, contained_fits(form_name, few, options));
   const auto problem = fit_problem(form_name, 180, measurement.samples, options.residual);
-  const Polished found = polish(*problem, descend(*problem, sought.parameters, {}).parameters);
+  const Found sought = found_in(*problem, measurement, form_name, options);
+  const Polished found = polish(*problem, sought.parameters);
 
   BrdfFit fit;
   fit.form = form.name;
   fit.material = {measurement.name, form.make(found.parameters, 180), measurement.wavelength, ""};
-  set_parameters(fit, *problem, found.parameters);
+  set_parameters(fit, *problem, found.parameters, sought.rivals);
   fit.e_percent = norm_e(fit.material.brdf, measurement.samples);
   fit.rms_logarithm = rms_logarithm(fit.material.brdf, measurement.samples);
   fit.samples = measurement.samples.size();

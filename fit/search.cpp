@@ -19,6 +19,7 @@ constexpr double worth_while = 1e-4;  // relative fall of the squares
 constexpr int finalists = 3;
 constexpr double near_best = 1.02;  // squares of a finalist over the best
 constexpr double same = 1e-5;       // relative difference of squares that are those of one valley
+constexpr double rival = 2.0;       // squares over the least
 
 bool has_less(const Polished& a, const Polished& b) {
   return a.squares < b.squares;
@@ -33,7 +34,7 @@ class Search {
       if (!parameters[k].is_linear) sought_.push_back(k);
   }
 
-  Polished run(const std::vector<std::vector<double>>& starts) {
+  Found run(const std::vector<std::vector<double>>& starts) {
     for (const auto& start : starts) attempt(start);
     if (sought_.empty()) {
       attempt(parameters_at({}));
@@ -121,7 +122,7 @@ class Search {
     return fell;
   }
 
-  Polished finish() {
+  Found finish() {
     std::stable_sort(ends_.begin(), ends_.end(), has_less);
     std::vector<Polished> finished;
     double last = -1.0;
@@ -132,9 +133,15 @@ class Search {
       finished.push_back(descend(problem_, end.parameters, {}));
       evaluations_ += finished.back().evaluations;
     }
-    Polished best = *std::min_element(finished.begin(), finished.end(), has_less);
-    best.evaluations = evaluations_;
-    return best;
+    Found found{*std::min_element(finished.begin(), finished.end(), has_less), {}};
+    found.evaluations = evaluations_;
+    last = -1.0;
+    for (const Polished& end : ends_) {
+      if (end.squares > rival * found.squares) break;
+      if (end.squares > last * (1.0 + same)) found.rivals.push_back(end);
+      last = found.rivals.back().squares;
+    }
+    return found;
   }
 
   const FitProblem& problem_;
@@ -148,7 +155,7 @@ class Search {
 
 }  // namespace
 
-Polished search(const FitProblem& problem, const FitOptions& options, const std::vector<std::vector<double>>& starts) {
+Found search(const FitProblem& problem, const FitOptions& options, const std::vector<std::vector<double>>& starts) {
   return Search(problem, options).run(starts);
 }
 

@@ -12,7 +12,10 @@ namespace lrcs {
 // ends in the deepest in 3 to 40 of 100 cases (docs/fitting.md).
 // start: further places to polish from, all parameters given: the fit of a model that this one contains.
 // laws: the same bytes for the same seed.
-[[nodiscard]] Polished search(const FitProblem& problem, const FitOptions& options,
-                              const std::vector<std::vector<double>>& starts = {});
+struct Found : Polished {
+  std::vector<Polished> rivals;  // where other polishes ended with squares of at most twice the least, least first
+};
+[[nodiscard]] Found search(const FitProblem& problem, const FitOptions& options,
+                           const std::vector<std::vector<double>>& starts = {});
 
 }  // namespace lrcs

@@ -93,13 +93,24 @@ double rise_ratio(const FitProblem& problem, const std::vector<double>& values, 
   return (again.squares - l.residual.squaredNorm()) / (scaled * scaled / inverse(j, j));
 }
 
+// Does another valley, as deep as chance can tell (t: of Student's distribution), have the parameter elsewhere?
+bool has_rival(const std::vector<Polished>& rivals, std::size_t parameter, double value, double half_width,
+               const Linearised& l, double t) {
+  const double freedom = static_cast<double>(l.residual.size()) - static_cast<double>(l.free.size());
+  const double deep = l.residual.squaredNorm() * (1.0 + t * t / freedom);
+  return std::any_of(rivals.begin(), rivals.end(), [&](const Polished& r) {
+    return r.squares <= deep && std::abs(r.parameters[parameter] - value) > half_width;
+  });
+}
+
 bool is_honest(double ratio) {
   return ratio > 1.0 / honest_rise && ratio < honest_rise;
 }
 
 }  // namespace
 
-Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters) {
+Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters,
+                        const std::vector<Polished>& rivals) {
   const auto size = static_cast<Index>(parameters.size());
   const Linearised l(problem, parameters);
   Uncertainty result;
@@ -130,6 +141,8 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
       error.why_not = "its 95 % interval is wider than half its value";
     else if (error.half_width > 0.0 && !(is_honest(up) && is_honest(down)))
       error.why_not = "the error does not rise evenly around it";
+    else if (has_rival(rivals, static_cast<std::size_t>(l.free[j]), value, error.half_width, l, t))
+      error.why_not = "other values, far away, fit as well";
     else
       error.why_not.clear();
     if (error.half_width > 0.0 && error.why_not.empty()) {
