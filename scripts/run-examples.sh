@@ -12,6 +12,11 @@ for scene in examples/*/scene.yaml; do
     [ -s "$work/$name/$file" ] || { echo "$scene: no $file" >&2; exit 1; }
   done
 done
+build/bin/lrcs fit examples/brdf/AnoBlackEC1onAlum.bsdf --model nine_parameter -o "$work/anoblack.yaml"
+for file in anoblack.yaml anoblack.json anoblack.png anoblack-shadowing.png; do
+  [ -s "$work/$file" ] || { echo "lrcs fit: no $file" >&2; exit 1; }
+done
+build/bin/lrcs brdf "$work/anoblack.yaml" >/dev/null
 cmake --install build --prefix "$work/lrcs" >/dev/null
 cmake -S examples/cpp -B "$work/cpp" -G Ninja -DCMAKE_PREFIX_PATH="$work/lrcs" -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$work/cpp" >/dev/null

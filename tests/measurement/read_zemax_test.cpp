@@ -92,7 +92,7 @@ TEST(BadZemax, HasOtherNumbersThanItsHeaderSays) {
 // give.
 template <class ReadAs>
 std::vector<double> differences(const ReadAs& read_as) {
-  const auto zemax = read_brdf_measurements(data_file("AnoBlackEC1onAlum.bsdf")).front();
+  const auto zemax = read_brdf_measurements(LRCS_EXAMPLES "/brdf/AnoBlackEC1onAlum.bsdf").front();
   const auto fred = read_brdf_measurements(data_file("AnoBlackEC1onAlum_fred_fullAz.txt")).front();
   std::vector<double> found;
   for (const BrdfSample& z : zemax.samples) {
@@ -134,7 +134,7 @@ double at_specular(const BrdfMeasurement& m, double theta_i_deg) {
 }
 
 TEST(ZemaxAndFred, StateTheSameSpecularValueToTheirDigits) {
-  const auto zemax = read_brdf_measurements(data_file("AnoBlackEC1onAlum.bsdf")).front();
+  const auto zemax = read_brdf_measurements(LRCS_EXAMPLES "/brdf/AnoBlackEC1onAlum.bsdf").front();
   const auto fred = read_brdf_measurements(data_file("AnoBlackEC1onAlum_fred_fullAz.txt")).front();
   EXPECT_EQ(at_specular(zemax, 10), 3.480e-2);
   EXPECT_EQ(at_specular(fred, 10), 0.034800);
