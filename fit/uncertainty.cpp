@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Index;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double widest = 0.5;            // half an interval over the value
+constexpr double exact = 1e-8;  // half an interval over the value: below, data and model agree as far as doubles tell
+constexpr double widest = 0.5;  // half an interval over the value
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
@@ -80,31 +81,82 @@ double quantile_95(Index freedom) {
   return boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.975);
 }
 
-// Rise of the squares where parameter j is held `shift` away and the others are fitted again, over the rise that the
-// linearised model foretells.
-double rise_ratio(const FitProblem& problem, const std::vector<double>& values, const Linearised& l,
-                  const Eigen::MatrixXd& inverse, Index j, double shift) {
-  const FormParameter& p = problem.parameters()[l.free[j]];
-  std::vector<double> there = values;
-  there[l.free[j]] += shift;
-  if (!(there[l.free[j]] >= p.least && there[l.free[j]] <= p.most)) return 0.0;
-  const Polished again = descend(problem, there, {30, 1e-4}, static_cast<int>(l.free[j]));
-  const double scaled = shift * l.length[j];
-  return (again.squares - l.residual.squaredNorm()) / (scaled * scaled / inverse(j, j));
-}
+// Judges each free parameter by itself.
+class Judge {
+ public:
+  Judge(const FitProblem& problem, const std::vector<double>& parameters, const Linearised& linearised,
+        const Inverse& inverse, const std::vector<Polished>& rivals)
+      : problem_(problem), parameters_(parameters), l_(linearised), inverse_(inverse), rivals_(rivals) {
+    const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
+    t_ = quantile_95(freedom);
+    const double chance = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
+    deep_ = l_.residual.squaredNorm() * (1.0 + chance);
+  }
 
-// Does another valley, as deep as chance can tell (t: of Student's distribution), have the parameter elsewhere?
-bool has_rival(const std::vector<Polished>& rivals, std::size_t parameter, double value, double half_width,
-               const Linearised& l, double t) {
-  const double freedom = static_cast<double>(l.residual.size()) - static_cast<double>(l.free.size());
-  const double deep = l.residual.squaredNorm() * (1.0 + t * t / freedom);
-  return std::any_of(rivals.begin(), rivals.end(), [&](const Polished& r) {
-    return r.squares <= deep && std::abs(r.parameters[parameter] - value) > half_width;
-  });
-}
+  // Of free parameter j, with the standard error of the linearised model.
+  [[nodiscard]] ParameterError95 judge(Index j, double standard_error) const {
+    ParameterError95 error{standard_error, t_ * standard_error, false, ""};
+    const double value = parameters_[l_.free[j]];
+    if (inverse_.blind[j] > 1e-6) return {infinite, infinite, false, "the data do not tell it from others"};
+    if (error.half_width > widest * std::abs(value)) {
+      error.why_not = "its 95 % interval is wider than half its value";
+    } else if (error.half_width > exact * std::abs(value)) {
+      const double up = rise_ratio(j, error.half_width);
+      const double down = rise_ratio(j, -error.half_width);
+      if (is_honest(up) && is_honest(down)) {
+        const double correction = 0.5 * (1.0 / std::sqrt(up) + 1.0 / std::sqrt(down));
+        error.standard_error *= correction;
+        error.half_width *= correction;
+      } else {
+        error.why_not = "the error does not rise evenly around it";
+      }
+    }
+    if (error.why_not.empty() && has_rival(j, error.half_width)) error.why_not = "other values, far away, fit as well";
+    error.determined = error.why_not.empty();
+    return error;
+  }
 
-bool is_honest(double ratio) {
-  return ratio > 1.0 / honest_rise && ratio < honest_rise;
+ private:
+  // Rise of the squares where the parameter is held `shift` away and the others are fitted again, over the rise that
+  // the linearised model foretells.
+  [[nodiscard]] double rise_ratio(Index j, double shift) const {
+    const FormParameter& p = problem_.parameters()[l_.free[j]];
+    std::vector<double> there = parameters_;
+    there[l_.free[j]] += shift;
+    if (!(there[l_.free[j]] >= p.least && there[l_.free[j]] <= p.most)) return 0.0;
+    const Polished again = descend(problem_, there, {30, 1e-4}, static_cast<int>(l_.free[j]));
+    const double scaled = shift * l_.length[j];
+    return (again.squares - l_.residual.squaredNorm()) / (scaled * scaled / inverse_.matrix(j, j));
+  }
+
+  [[nodiscard]] static bool is_honest(double ratio) { return ratio > 1.0 / honest_rise && ratio < honest_rise; }
+
+  // Does another valley, as deep as chance can tell, have the parameter elsewhere?
+  [[nodiscard]] bool has_rival(Index j, double half_width) const {
+    const auto k = static_cast<std::size_t>(l_.free[j]);
+    const double apart = std::max(half_width, exact * std::abs(parameters_[k]));
+    return std::any_of(rivals_.begin(), rivals_.end(), [&](const Polished& r) {
+      return r.squares <= deep_ && std::abs(r.parameters[k] - parameters_[k]) > apart;
+    });
+  }
+
+  const FitProblem& problem_;
+  const std::vector<double>& parameters_;
+  const Linearised& l_;
+  const Inverse& inverse_;
+  const std::vector<Polished>& rivals_;
+  double t_ = 0.0, deep_ = 0.0;
+};
+
+Eigen::MatrixXd correlation_of(const Linearised& l, const Eigen::MatrixXd& covariance, Index size) {
+  Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(size, size);
+  for (Index j = 0; j < covariance.cols(); ++j)
+    for (Index i = 0; i < j; ++i) {
+      const double scale = std::sqrt(covariance(i, i) * covariance(j, j));
+      if (!(scale > 0.0)) continue;
+      correlation(l.free[i], l.free[j]) = correlation(l.free[j], l.free[i]) = covariance(i, j) / scale;
+    }
+  return correlation;
 }
 
 }  // namespace
@@ -112,50 +164,22 @@ bool is_honest(double ratio) {
 Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters,
                         const std::vector<Polished>& rivals) {
   const auto size = static_cast<Index>(parameters.size());
-  const Linearised l(problem, parameters);
   Uncertainty result;
-  result.correlation = Eigen::MatrixXd::Identity(size, size);
-  for (const FormParameter& p : problem.parameters()) {
-    const double value = parameters[result.parameters.size()];
+  for (std::size_t k = 0; k < parameters.size(); ++k)
     result.parameters.push_back(
-        {infinite, infinite, false, is_at_end(p, value) ? "at the end of its range" : "no effect"});
-  }
+        {infinite, infinite, false,
+         is_at_end(problem.parameters()[k], parameters[k]) ? "at the end of its range" : "it has no effect"});
+  result.correlation = Eigen::MatrixXd::Identity(size, size);
+  const Linearised l(problem, parameters);
   if (l.free.empty()) return result;
   const Inverse inverse(l.jacobian);
   const Eigen::VectorXd variance = variances(problem, l, inverse.matrix);
   const Eigen::MatrixXd covariance =
       inverse.matrix * (l.jacobian.transpose() * variance.asDiagonal() * l.jacobian) * inverse.matrix;
-  const double t = quantile_95(l.residual.size() - static_cast<Index>(l.free.size()));
-  for (Index j = 0; j < static_cast<Index>(l.free.size()); ++j) {
-    ParameterError95& error = result.parameters[l.free[j]];
-    const double value = parameters[l.free[j]];
-    if (inverse.blind[j] > 1e-6) {
-      error.why_not = "the data do not tell it from others";
-      continue;
-    }
-    error.standard_error = std::sqrt(covariance(j, j)) / l.length[j];
-    error.half_width = t * error.standard_error;
-    const double up = rise_ratio(problem, parameters, l, inverse.matrix, j, error.half_width);
-    const double down = rise_ratio(problem, parameters, l, inverse.matrix, j, -error.half_width);
-    if (error.half_width > widest * std::abs(value))
-      error.why_not = "its 95 % interval is wider than half its value";
-    else if (error.half_width > 0.0 && !(is_honest(up) && is_honest(down)))
-      error.why_not = "the error does not rise evenly around it";
-    else if (has_rival(rivals, static_cast<std::size_t>(l.free[j]), value, error.half_width, l, t))
-      error.why_not = "other values, far away, fit as well";
-    else
-      error.why_not.clear();
-    if (error.half_width > 0.0 && error.why_not.empty()) {
-      const double correction = 0.5 * (1.0 / std::sqrt(up) + 1.0 / std::sqrt(down));
-      error.standard_error *= correction;
-      error.half_width *= correction;
-    }
-    error.determined = error.why_not.empty();
-    for (Index i = 0; i < static_cast<Index>(l.free.size()); ++i) {
-      const double scale = std::sqrt(covariance(i, i) * covariance(j, j));
-      if (scale > 0.0) result.correlation(l.free[i], l.free[j]) = i == j ? 1.0 : covariance(i, j) / scale;
-    }
-  }
+  const Judge judge(problem, parameters, l, inverse, rivals);
+  for (Index j = 0; j < covariance.cols(); ++j)
+    result.parameters[l.free[j]] = judge.judge(j, std::sqrt(covariance(j, j)) / l.length[j]);
+  result.correlation = correlation_of(l, covariance, size);
   return result;
 }
 
