@@ -1,0 +1,157 @@
+#include "brdf/linear_interpolant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "brdf/affine_frame.h"
+#include "brdf/hull_search.h"
+
+namespace lrcs {
+namespace {
+
+// One place only.
+struct Single {};
+
+template <int D>
+struct Triangulated {
+  explicit Triangulated(std::vector<Point<D>> points) : mesh(delaunay<D>(std::move(points))), search(mesh), hull(mesh) {}
+  SimplexMesh<D> mesh;
+  SimplexSearch<D> search;
+  HullSearch<D> hull;
+};
+
+// Held by pointer: the searches refer to their mesh.
+template <int D>
+using Held = std::unique_ptr<const Triangulated<D>>;
+using Anyone = std::variant<Single, Held<1>, Held<2>, Held<3>>;
+
+template <int D>
+Held<D> triangulated(const std::vector<Vec3>& places, const AffineFrame& frame) {
+  std::vector<Point<D>> points;
+  points.reserve(places.size());
+  for (const Vec3& place : places) points.push_back(frame.local(place).head<D>());
+  return std::make_unique<const Triangulated<D>>(std::move(points));
+}
+
+Anyone triangulation_of(const std::vector<Vec3>& places, const AffineFrame& frame) {
+  switch (frame.dimension) {
+    case 0:
+      return Single{};
+    case 1:
+      return triangulated<1>(places, frame);
+    case 2:
+      return triangulated<2>(places, frame);
+    default:
+      return triangulated<3>(places, frame);
+  }
+}
+
+// Differences to the first value: where all are equal, so is the result.
+template <int D>
+double value_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place, const std::vector<double>& values) {
+  const auto& vertices = mesh.cells[place.cell];
+  const double first = values[vertices[0]];
+  double sum = first;
+  double least = first;
+  double most = first;
+  for (std::size_t k = 1; k <= D; ++k) {
+    const double value = values[vertices[k]];
+    sum += place.weights[k] * (value - first);
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return std::clamp(sum, least, most);
+}
+
+// The volume (times D!) spanned by D edges.
+template <int D>
+double volume(const std::array<Point<D>, D>& edges) {
+  if constexpr (D == 1)
+    return edges[0].x();
+  else if constexpr (D == 2)
+    return edges[0].x() * edges[1].y() - edges[0].y() * edges[1].x();
+  else
+    return edges[0].dot(edges[1].cross(edges[2]));
+}
+
+// The gradient of the weight of one vertex is at most the product of the other edges over the volume.
+template <int D>
+double steepness_at(const SimplexMesh<D>& mesh, std::uint32_t cell, const std::vector<double>& values) {
+  const auto& vertices = mesh.cells[cell];
+  std::array<Point<D>, D> edges;
+  for (std::size_t k = 0; k < D; ++k) edges[k] = mesh.points[vertices[k + 1]] - mesh.points[vertices[0]];
+  double most = 0.0;
+  for (std::size_t k = 0; k < D; ++k) {
+    double others = 1.0;
+    for (std::size_t j = 0; j < D; ++j)
+      if (j != k) others *= edges[j].norm();
+    most += std::abs(values[vertices[k + 1]] - values[vertices[0]]) * others;
+  }
+  return most > 0.0 ? most / std::max(std::abs(volume<D>(edges)), 1e-300) : 0.0;
+}
+
+}  // namespace
+
+struct LinearInterpolant::Parts {
+  AffineFrame frame;
+  std::vector<double> values;
+  double tolerance;
+  Anyone triangulation;
+
+  [[nodiscard]] Answer at(const Vec3& place, bool steep) const {
+    const Vec3 local = frame.local(place);
+    double off2 = 0.0;
+    for (int k = frame.dimension; k < 3; ++k) off2 += local[k] * local[k];
+    const double off = std::sqrt(off2);
+    return std::visit([&](const auto& in) { return within(in, local, off, steep); }, triangulation);
+  }
+
+  [[nodiscard]] Answer within(const Single& /*one*/, const Vec3& /*local*/, double off, bool /*steep*/) const {
+    return {values.front(), off > tolerance ? off : 0.0, 0.0};
+  }
+
+  template <int D>
+  [[nodiscard]] Answer within(const Held<D>& in, const Vec3& local, double off, bool steep) const {
+    const Point<D> point = local.head<D>();
+    SimplexPlace<D> found = in->search.find(point);
+    double distance = off;
+    if (!found.exists()) {
+      const auto nearest = in->hull.nearest(point);
+      found = nearest.place;
+      distance = std::hypot(off, nearest.distance);
+    }
+    return {value_at(in->mesh, found, values), distance > tolerance ? distance : 0.0,
+            steep ? steepness_at(in->mesh, found.cell, values) : 0.0};
+  }
+};
+
+LinearInterpolant::LinearInterpolant(const std::vector<Vec3>& places, std::vector<double> values, double tolerance) {
+  const AffineFrame frame = affine_frame(places, tolerance);
+  parts_ = std::make_shared<const Parts>(frame, std::move(values), tolerance, triangulation_of(places, frame));
+}
+
+LinearInterpolant::Answer LinearInterpolant::at(const Vec3& place) const {
+  return parts_->at(place, false);
+}
+
+LinearInterpolant::Answer LinearInterpolant::with_steepness(const Vec3& place) const {
+  return parts_->at(place, true);
+}
+
+int LinearInterpolant::dimension() const {
+  return parts_->frame.dimension;
+}
+
+std::size_t LinearInterpolant::simplices() const {
+  return std::visit(
+      [](const auto& in) -> std::size_t {
+        if constexpr (requires { in->mesh; })
+          return in->mesh.cells.size();
+        else
+          return 0;
+      },
+      parts_->triangulation);
+}
+
+}  // namespace lrcs

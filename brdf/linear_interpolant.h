@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace lrcs {
+
+// Values at places, and between them: linear in each simplex of a Delaunay triangulation of the places, in as many
+// dimensions as they fill (a point, a line, a plane, or space).
+// domain: one value a place, at least one; places more than the tolerance apart.
+// laws: continuous over the hull of the places; within the least and the largest value; constant where the values are, to the
+//   last bit; the answer depends on nothing but the place asked for. Safe from many threads at once.
+// check: tests/brdf/linear_interpolant_test.cpp.
+class LinearInterpolant {
+ public:
+  // tolerance: places this close to the hull count as in it.
+  LinearInterpolant(const std::vector<Vec3>& places, std::vector<double> values, double tolerance);
+
+  // At the place or, outside the hull, at the place of the hull nearest to it.
+  struct Answer {
+    double value = 0.0;
+    double distance = 0.0;   // from the hull; 0 in it
+    double steepness = 0.0;  // at least the size of the gradient there, where asked for
+  };
+  [[nodiscard]] Answer at(const Vec3& place) const;
+  [[nodiscard]] Answer with_steepness(const Vec3& place) const;
+
+  [[nodiscard]] int dimension() const;
+  [[nodiscard]] std::size_t simplices() const;
+
+ private:
+  struct Parts;
+  std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace lrcs
