@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "brdf/curve_order.h"
 #include "brdf/simplex_mesh.h"
 
 namespace lrcs {
@@ -52,25 +53,41 @@ typename Names<D>::Triangulation triangulation_of(const std::vector<Point<D>>& p
   return typename Names<D>::Triangulation(numbered.begin(), numbered.end());
 }
 
+// The cells in the order of their centres along a curve; each knows its number.
+template <int D>
+std::vector<typename Names<D>::Handle> ordered_cells(const typename Names<D>::Triangulation& triangulation,
+                                                     const std::vector<Point<D>>& points) {
+  std::vector<typename Names<D>::Handle> found;
+  std::vector<Point<D>> centres;
+  for (const auto cell : Names<D>::cells(triangulation)) {
+    found.push_back(cell);
+    Point<D> sum = Point<D>::Zero();
+    for (int k = 0; k <= D; ++k) sum += points[cell->vertex(k)->info()];
+    centres.push_back(sum);
+  }
+  std::vector<typename Names<D>::Handle> ordered;
+  ordered.reserve(found.size());
+  for (const Index c : curve_order<D>(centres)) {
+    found[c]->info() = static_cast<Index>(ordered.size());
+    ordered.push_back(found[c]);
+  }
+  return ordered;
+}
+
 template <int D>
 SimplexMesh<D> mesh_of(std::vector<Point<D>> points) {
   SimplexMesh<D> mesh;
   const auto triangulation = triangulation_of<D>(points);
   mesh.points = std::move(points);
   if (triangulation.dimension() < D) return mesh;
-  std::vector<typename Names<D>::Handle> handles;
-  for (const auto cell : Names<D>::cells(triangulation)) {
-    cell->info() = static_cast<Index>(handles.size());
-    handles.push_back(cell);
-  }
+  const auto handles = ordered_cells<D>(triangulation, mesh.points);
   mesh.cells.resize(handles.size());
-  mesh.neighbours.resize(handles.size());
   for (std::size_t c = 0; c < handles.size(); ++c)
     for (int k = 0; k <= D; ++k) {
       const auto beyond = handles[c]->neighbor(k);
-      mesh.cells[c][static_cast<std::size_t>(k)] = handles[c]->vertex(k)->info();
-      mesh.neighbours[c][static_cast<std::size_t>(k)] =
-          triangulation.is_infinite(beyond) ? SimplexMesh<D>::none : beyond->info();
+      const auto at = static_cast<std::size_t>(k);
+      mesh.cells[c].vertices[at] = handles[c]->vertex(k)->info();
+      mesh.cells[c].neighbours[at] = triangulation.is_infinite(beyond) ? SimplexMesh<D>::none : beyond->info();
     }
   return mesh;
 }
@@ -84,8 +101,9 @@ SimplexMesh<1> delaunay<1>(std::vector<Point<1>> points) {
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return points[a].x() < points[b].x(); });
   for (Index c = 0; c + 1 < order.size(); ++c) {
-    mesh.cells.push_back({order[c], order[c + 1]});
-    mesh.neighbours.push_back({c + 2 < order.size() ? c + 1 : SimplexMesh<1>::none, c > 0 ? c - 1 : SimplexMesh<1>::none});
+    const Index up = c + 2 < order.size() ? c + 1 : SimplexMesh<1>::none;
+    const Index down = c > 0 ? c - 1 : SimplexMesh<1>::none;
+    mesh.cells.push_back({{order[c], order[c + 1]}, {up, down}});
   }
   mesh.points = std::move(points);
   return mesh;

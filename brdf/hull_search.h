@@ -12,11 +12,8 @@ class HullSearch {
   // Keeps a reference. domain: a mesh of at least one cell.
   explicit HullSearch(const SimplexMesh<D>& mesh);
 
-  struct Nearest {
-    SimplexPlace<D> place;
-    double distance = 0.0;
-  };
-  [[nodiscard]] Nearest nearest(const Point<D>& point) const;
+  // None where nothing of the hull is nearer than `most`.
+  [[nodiscard]] SimplexPlace<D> nearest(const Point<D>& point, double most) const;
 
  private:
   using Index = std::uint32_t;
@@ -30,9 +27,14 @@ class HullSearch {
     Index faces = 0;  // of a leaf
   };
 
+  struct Nearest {
+    SimplexPlace<D> place;
+    double distance2 = 0.0;
+  };
+
   void add_node(std::size_t first, std::size_t last);
   [[nodiscard]] const Point<D>& corner(const Face& face, std::size_t k) const;
-  [[nodiscard]] Nearest nearest_of(const Face& face, const Point<D>& point) const;
+  void try_face(const Face& face, const Point<D>& point, Nearest& best) const;
   void search(Index node, const Point<D>& point, Nearest& best) const;
 
   const SimplexMesh<D>& mesh_;

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "brdf/affine_frame.h"
+#include "brdf/curve_order.h"
 #include "brdf/hull_search.h"
 
 namespace lrcs {
 namespace {
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
 
 // One place only.
 struct Single {};
@@ -50,7 +54,7 @@ Anyone triangulation_of(const std::vector<Vec3>& places, const AffineFrame& fram
 // Differences to the first value: where all are equal, so is the result.
 template <int D>
 double value_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place, const std::vector<double>& values) {
-  const auto& vertices = mesh.cells[place.cell];
+  const auto& vertices = mesh.cells[place.cell].vertices;
   const double first = values[vertices[0]];
   double sum = first;
   double least = first;
@@ -78,7 +82,7 @@ double volume(const std::array<Point<D>, D>& edges) {
 // The gradient of the weight of one vertex is at most the product of the other edges over the volume.
 template <int D>
 double steepness_at(const SimplexMesh<D>& mesh, std::uint32_t cell, const std::vector<double>& values) {
-  const auto& vertices = mesh.cells[cell];
+  const auto& vertices = mesh.cells[cell].vertices;
   std::array<Point<D>, D> edges;
   for (std::size_t k = 0; k < D; ++k) edges[k] = mesh.points[vertices[k + 1]] - mesh.points[vertices[0]];
   double most = 0.0;
@@ -94,49 +98,64 @@ double steepness_at(const SimplexMesh<D>& mesh, std::uint32_t cell, const std::v
 }  // namespace
 
 struct LinearInterpolant::Parts {
+  struct Answer {
+    double value = 0.0, steepness = 0.0;
+  };
   AffineFrame frame;
   std::vector<double> values;
   double tolerance;
   Anyone triangulation;
 
-  [[nodiscard]] Answer at(const Vec3& place, bool steep) const {
+  [[nodiscard]] std::optional<Answer> at(const Vec3& place, double most, bool steep) const {
     const Vec3 local = frame.local(place);
     double off2 = 0.0;
     for (int k = frame.dimension; k < 3; ++k) off2 += local[k] * local[k];
     const double off = std::sqrt(off2);
-    return std::visit([&](const auto& in) { return within(in, local, off, steep); }, triangulation);
+    return std::visit([&](const auto& in) { return within(in, local, off, most, steep); }, triangulation);
   }
 
-  [[nodiscard]] Answer within(const Single& /*one*/, const Vec3& /*local*/, double off, bool /*steep*/) const {
-    return {values.front(), off > tolerance ? off : 0.0, 0.0};
+  [[nodiscard]] std::optional<Answer> within(const Single& /*one*/, const Vec3& /*local*/, double off, double most,
+                                             bool /*steep*/) const {
+    if (off > most) return std::nullopt;
+    return Answer{values.front(), 0.0};
   }
 
   template <int D>
-  [[nodiscard]] Answer within(const Held<D>& in, const Vec3& local, double off, bool steep) const {
+  [[nodiscard]] std::optional<Answer> within(const Held<D>& in, const Vec3& local, double off, double most,
+                                             bool steep) const {
+    if (off > most) return std::nullopt;
     const Point<D> point = local.head<D>();
     SimplexPlace<D> found = in->search.find(point);
-    double distance = off;
-    if (!found.exists()) {
-      const auto nearest = in->hull.nearest(point);
-      found = nearest.place;
-      distance = std::hypot(off, nearest.distance);
-    }
-    return {value_at(in->mesh, found, values), distance > tolerance ? distance : 0.0,
-            steep ? steepness_at(in->mesh, found.cell, values) : 0.0};
+    if (!found.exists()) found = in->hull.nearest(point, most);
+    if (!found.exists()) return std::nullopt;
+    return Answer{value_at(in->mesh, found, values), steep ? steepness_at(in->mesh, found.cell, values) : 0.0};
   }
 };
 
-LinearInterpolant::LinearInterpolant(const std::vector<Vec3>& places, std::vector<double> values, double tolerance) {
-  const AffineFrame frame = affine_frame(places, tolerance);
-  parts_ = std::make_shared<const Parts>(frame, std::move(values), tolerance, triangulation_of(places, frame));
+LinearInterpolant::LinearInterpolant(const std::vector<Vec3>& places, const std::vector<double>& values,
+                                     double tolerance) {
+  std::vector<Vec3> ordered_places;
+  std::vector<double> ordered_values;
+  for (const std::uint32_t k : curve_order<3>(places)) {
+    ordered_places.push_back(places[k]);
+    ordered_values.push_back(values[k]);
+  }
+  const AffineFrame frame = affine_frame(ordered_places, tolerance);
+  parts_ = std::make_shared<const Parts>(frame, std::move(ordered_values), tolerance,
+                                         triangulation_of(ordered_places, frame));
 }
 
-LinearInterpolant::Answer LinearInterpolant::at(const Vec3& place) const {
-  return parts_->at(place, false);
+std::optional<double> LinearInterpolant::at(const Vec3& place) const {
+  const auto answer = parts_->at(place, parts_->tolerance, false);
+  return answer ? std::optional(answer->value) : std::nullopt;
 }
 
-LinearInterpolant::Answer LinearInterpolant::with_steepness(const Vec3& place) const {
-  return parts_->at(place, true);
+double LinearInterpolant::nearest(const Vec3& place) const {
+  return parts_->at(place, everywhere, false)->value;
+}
+
+double LinearInterpolant::steepness(const Vec3& place) const {
+  return parts_->at(place, everywhere, true)->steepness;
 }
 
 int LinearInterpolant::dimension() const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/vec3.h"
@@ -15,16 +16,14 @@ namespace lrcs {
 class LinearInterpolant {
  public:
   // tolerance: places this close to the hull count as in it.
-  LinearInterpolant(const std::vector<Vec3>& places, std::vector<double> values, double tolerance);
+  LinearInterpolant(const std::vector<Vec3>& places, const std::vector<double>& values, double tolerance);
 
-  // At the place or, outside the hull, at the place of the hull nearest to it.
-  struct Answer {
-    double value = 0.0;
-    double distance = 0.0;   // from the hull; 0 in it
-    double steepness = 0.0;  // at least the size of the gradient there, where asked for
-  };
-  [[nodiscard]] Answer at(const Vec3& place) const;
-  [[nodiscard]] Answer with_steepness(const Vec3& place) const;
+  // None outside the hull.
+  [[nodiscard]] std::optional<double> at(const Vec3& place) const;
+  // Outside the hull: at the place of the hull nearest to it.
+  [[nodiscard]] double nearest(const Vec3& place) const;
+  // At least the size of the gradient there; outside, that at the nearest place.
+  [[nodiscard]] double steepness(const Vec3& place) const;
 
   [[nodiscard]] int dimension() const;
   [[nodiscard]] std::size_t simplices() const;

@@ -18,9 +18,12 @@ struct SimplexMesh {
   using Index = std::uint32_t;
   static constexpr Index none = std::numeric_limits<Index>::max();
 
+  struct Cell {
+    std::array<Index, D + 1> vertices{};
+    std::array<Index, D + 1> neighbours{};  // [k]: across the face opposite vertex k; none: the hull
+  };
   std::vector<Point<D>> points;
-  std::vector<std::array<Index, D + 1>> cells;       // vertices
-  std::vector<std::array<Index, D + 1>> neighbours;  // [k]: across the face opposite vertex k; none: the hull
+  std::vector<Cell> cells;  // those near in space are near in number
 };
 
 // Delaunay's: no point lies inside the sphere about a simplex.

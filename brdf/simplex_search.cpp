@@ -7,7 +7,7 @@
 namespace lrcs {
 namespace {
 
-constexpr std::size_t leaf_points = 8;
+constexpr std::size_t leaf_cells = 4;
 constexpr int most_steps = 10000;  // a walk that needs more goes in circles, which only rounding can make it do
 
 template <int D>
@@ -17,7 +17,7 @@ using Weights = std::array<double, D + 1>;
 template <int D>
 Weights<D> volumes(const SimplexMesh<D>& mesh, std::uint32_t cell, const Point<D>& point) {
   Eigen::Matrix<double, D, D + 1> p;
-  for (int k = 0; k <= D; ++k) p.col(k) = mesh.points[mesh.cells[cell][static_cast<std::size_t>(k)]] - point;
+  for (int k = 0; k <= D; ++k) p.col(k) = mesh.points[mesh.cells[cell].vertices[static_cast<std::size_t>(k)]] - point;
   if constexpr (D == 1) {
     return {p(0, 1), -p(0, 0)};
   } else if constexpr (D == 2) {
@@ -39,14 +39,26 @@ SimplexPlace<D> place_in(std::uint32_t cell, Weights<D> weights) {
   return {cell, weights};
 }
 
+template <int D>
+std::vector<Point<D>> centres_of(const SimplexMesh<D>& mesh) {
+  std::vector<Point<D>> centres;
+  centres.reserve(mesh.cells.size());
+  for (const auto& cell : mesh.cells) {
+    Point<D> sum = Point<D>::Zero();
+    for (const auto v : cell.vertices) sum += mesh.points[v];
+    centres.push_back(sum / (D + 1.0));
+  }
+  return centres;
+}
+
 // The widest side of the points' box.
 template <int D>
-std::uint32_t widest_axis(const SimplexMesh<D>& mesh, const std::uint32_t* first, const std::uint32_t* last) {
-  Point<D> low = mesh.points[*first];
+std::uint32_t widest_axis(const std::vector<Point<D>>& points, const std::uint32_t* first, const std::uint32_t* last) {
+  Point<D> low = points[*first];
   Point<D> high = low;
-  for (const auto* v = first; v != last; ++v) {
-    low = low.cwiseMin(mesh.points[*v]);
-    high = high.cwiseMax(mesh.points[*v]);
+  for (const auto* k = first; k != last; ++k) {
+    low = low.cwiseMin(points[*k]);
+    high = high.cwiseMax(points[*k]);
   }
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
@@ -57,35 +69,33 @@ std::uint32_t widest_axis(const SimplexMesh<D>& mesh, const std::uint32_t* first
 
 template <int D>
 SimplexSearch<D>::SimplexSearch(const SimplexMesh<D>& mesh) : mesh_(mesh) {
-  std::vector<Index> cell_at(mesh.points.size(), 0);
-  for (Index c = 0; c < mesh.cells.size(); ++c)
-    for (const Index v : mesh.cells[c]) cell_at[v] = c;
-  std::vector<Index> vertices(mesh.points.size());
-  std::iota(vertices.begin(), vertices.end(), 0U);
-  add_node(vertices, 0, vertices.size(), cell_at);
+  const auto centres = centres_of(mesh);
+  std::vector<Index> cells(mesh.cells.size());
+  std::iota(cells.begin(), cells.end(), 0U);
+  add_node(centres, cells, 0, cells.size());
 }
 
 template <int D>
-void SimplexSearch<D>::add_node(std::vector<Index>& vertices, std::size_t first, std::size_t last,
-                                const std::vector<Index>& cell_at) {
+void SimplexSearch<D>::add_node(const std::vector<Point<D>>& centres, std::vector<Index>& cells, std::size_t first,
+                                std::size_t last) {
   const std::size_t middle = first + (last - first) / 2;
   const std::size_t node = nodes_.size();
   nodes_.emplace_back();
-  if (last - first <= leaf_points) {
-    nodes_[node].next = cell_at[vertices[middle]];
+  if (last - first <= leaf_cells) {
+    nodes_[node].next = cells[middle];
     return;
   }
-  const Index axis = widest_axis(mesh_, vertices.data() + first, vertices.data() + last);
-  const auto at = [&](std::size_t k) { return vertices.begin() + static_cast<std::ptrdiff_t>(k); };
+  const Index axis = widest_axis<D>(centres, cells.data() + first, cells.data() + last);
+  const auto at = [&](std::size_t k) { return cells.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at(first), at(middle), at(last), [&](Index a, Index b) {
-    const double of_a = mesh_.points[a][axis];
-    const double of_b = mesh_.points[b][axis];
+    const double of_a = centres[a][axis];
+    const double of_b = centres[b][axis];
     return of_a != of_b ? of_a < of_b : a < b;
   });
-  nodes_[node] = {mesh_.points[vertices[middle]][axis], axis, 0};
-  add_node(vertices, first, middle, cell_at);
+  nodes_[node] = {centres[cells[middle]][axis], axis, 0};
+  add_node(centres, cells, first, middle);
   nodes_[node].next = static_cast<Index>(nodes_.size());
-  add_node(vertices, middle, last, cell_at);
+  add_node(centres, cells, middle, last);
 }
 
 template <int D>
@@ -106,13 +116,13 @@ SimplexPlace<D> SimplexSearch<D>::find(const Point<D>& point) const {
     for (std::size_t k = 0; k <= D; ++k) {
       if (!(weights[k] < least)) continue;
       // By rounding a face may seem to turn its back on both sides.
-      if (const Index beyond = mesh_.neighbours[cell][k]; beyond == from && beyond != SimplexMesh<D>::none) continue;
+      if (const Index beyond = mesh_.cells[cell].neighbours[k]; beyond == from && beyond != SimplexMesh<D>::none) continue;
       least = weights[k];
       out = k;
     }
     if (out > D) return place_in<D>(cell, weights);
     from = cell;
-    cell = mesh_.neighbours[cell][out];
+    cell = mesh_.cells[cell].neighbours[out];
     if (cell == SimplexMesh<D>::none) return {};
   }
   return find_anywhere(point);

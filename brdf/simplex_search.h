@@ -12,7 +12,7 @@ struct SimplexPlace {
   [[nodiscard]] bool exists() const { return cell != SimplexMesh<D>::none; }
 };
 
-// Finds the simplex that a point lies in: from one near it, by a tree of the vertices, step by step toward it.
+// Finds the simplex that a point lies in: from one near it, by a tree of their centres, step by step toward it.
 // laws: the answer depends on nothing but mesh and point; safe from many threads at once. Of simplices that meet at the
 //   point it is one, always the same.
 // Compiled for D = 1, 2, 3.
@@ -33,7 +33,7 @@ class SimplexSearch {
     Index next = 0;  // the node of larger coordinates (of smaller: the next one); of a leaf a cell nearby
   };
 
-  void add_node(std::vector<Index>& vertices, std::size_t first, std::size_t last, const std::vector<Index>& cell_at);
+  void add_node(const std::vector<Point<D>>& centres, std::vector<Index>& cells, std::size_t first, std::size_t last);
   [[nodiscard]] Index start(const Point<D>& point) const;
   [[nodiscard]] SimplexPlace<D> find_anywhere(const Point<D>& point) const;
 

@@ -136,10 +136,11 @@ int Tabulated::dimension() const {
 }
 
 std::optional<double> Tabulated::f_r_at(const Vec3& place, double least_cosine) const {
-  const auto [value, distance, steepness] = table_->f_r.at(place);
-  if (distance == 0.0 || outside_ == Outside::nearest) return value;
+  if (outside_ == Outside::nearest) return table_->f_r.nearest(place);
+  const auto measured = table_->f_r.at(place);
+  if (measured) return measured;
   if (outside_ == Outside::zero) return 0.0;
-  return least_cosine < grazing ? std::optional(value) : std::nullopt;
+  return least_cosine < grazing ? std::optional(table_->f_r.nearest(place)) : std::nullopt;
 }
 
 double Tabulated::value(const Vec3& wi, const Vec3& wr, const Vec3& n) const {
@@ -187,8 +188,7 @@ double Tabulated::lobe_error(const Direction<double>& wi, const Direction<double
     const double sine = wi.cross(n).norm();
     moved += std::min(rounding_of_cosine / std::max(sine, 1e-300), std::sqrt(rounding_of_cosine));
   }
-  const auto [value, distance, steepness] = table_->f_r.with_steepness(pair_place(wi, wr, n));
-  return std::min(steepness * moved, largest()) * cos_i * cos_r;
+  return std::min(table_->f_r.steepness(pair_place(wi, wr, n)) * moved, largest()) * cos_i * cos_r;
 }
 
 }  // namespace lrcs
