@@ -88,6 +88,7 @@ std::optional<std::string> reciprocity_warning(const Brdf& brdf) {
 }  // namespace
 
 std::string description_of(const Brdf& brdf) {
+  if (const auto* tabulated = std::get_if<Tabulated>(&brdf)) return tabulated->description();
   const BrdfWords words = words_of(brdf);
   std::string text = words.form->name;
   for (std::size_t k = 0; k < words.values.size(); ++k)
@@ -98,6 +99,7 @@ std::string description_of(const Brdf& brdf) {
 
 std::vector<std::string> brdf_warnings(const Brdf& brdf) {
   std::vector<std::string> warnings;
+  if (const auto* tabulated = std::get_if<Tabulated>(&brdf)) warnings = tabulated->measurement().warnings;
   if (auto warning = albedo_warning(brdf)) warnings.push_back(*warning);
   if (auto warning = reciprocity_warning(brdf)) warnings.push_back(*warning);
   return warnings;

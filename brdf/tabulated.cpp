@@ -84,6 +84,17 @@ BrdfMeasurement described(const BrdfMeasurement& measurement, std::size_t withou
 
 }  // namespace
 
+std::string_view word_of(Outside outside) {
+  switch (outside) {
+    case Outside::nearest:
+      return "nearest";
+    case Outside::zero:
+      return "zero";
+    default:
+      return "error";
+  }
+}
+
 struct Tabulated::Table {
   BrdfMeasurement measurement;
   MeasuredFile file;
@@ -121,6 +132,11 @@ const BrdfMeasurement& Tabulated::measurement() const {
 
 const MeasuredFile& Tabulated::file() const {
   return table_->file;
+}
+
+std::string Tabulated::description() const {
+  return fmt::format("tabulated file={} format=\"{}\" samples={} places={} outside={}", table_->measurement.name,
+                     table_->measurement.format, samples(), places(), word_of(outside_));
 }
 
 std::size_t Tabulated::samples() const {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/input_error.h"
@@ -18,6 +19,7 @@ enum class Outside {
   nearest,  // the value at the nearest place that was, by projection to the hull of the samples (brdf/pair_place.h)
   zero
 };
+[[nodiscard]] std::string_view word_of(Outside outside);
 
 // A tabulated BRDF was asked for directions that were not measured. what() names file, angles, and what to add.
 class NotMeasured : public InputError {
@@ -65,6 +67,8 @@ class Tabulated {
   // What the measurement is: its name, format, notes and warnings, with those on the table added; no samples.
   [[nodiscard]] const BrdfMeasurement& measurement() const;
   [[nodiscard]] const MeasuredFile& file() const;
+  // "tabulated file=retro.dat format=... samples=... places=... outside=error"
+  [[nodiscard]] std::string description() const;
   [[nodiscard]] std::size_t samples() const;
   [[nodiscard]] std::size_t places() const;  // that differ
   [[nodiscard]] int dimension() const;       // of what the samples fill: 0 to 3
