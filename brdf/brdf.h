@@ -45,16 +45,13 @@ constexpr bool all_are_models(const std::variant<Models...>* /*list*/) {
 }
 static_assert(all_are_models(static_cast<const Brdf*>(nullptr)));
 
-// A model for directions from which perhaps no one looks: the model itself, but one that never throws.
+// A model for directions from which perhaps no one looks: the model itself, but one that never throws NotMeasured.
 template <class M>
 [[nodiscard]] const M& supposed(const M& model) {
   return model;
 }
 [[nodiscard]] inline Tabulated supposed(const Tabulated& model) {
-  return model.supposed();
-}
-[[nodiscard]] inline Brdf supposed(const Brdf& brdf) {
-  return std::visit([](const auto& model) -> Brdf { return supposed(model); }, brdf);
+  return model.outside() == Outside::error ? model.with(Outside::nearest) : model;
 }
 
 // The true BRDF [1/sr]; 0 where either direction is not above the surface. May exceed largest(): it is divided by the

@@ -19,6 +19,9 @@ constexpr double grazing = 1e-12;           // cosine
 constexpr double rounding = 64 * 0x1p-53;   // [rad] of a place
 constexpr double rounding_of_cosine = 8 * 0x1p-53;
 
+// Of values measured more than once: beyond it the surface is perhaps not isotropic, or was not well aligned.
+constexpr double doubtful_spread = 0.1;
+
 // Rounding does not lift places off the plane of incidence, or off that across it.
 double snapped(double coordinate) {
   return coordinate < tolerance ? 0.0 : coordinate;
@@ -74,10 +77,11 @@ BrdfMeasurement described(const BrdfMeasurement& measurement, std::size_t withou
   note("f_r is taken to be isotropic, reciprocal and its own mirror image, and linear between the samples");
   if (without_weight > 0) note(fmt::format("{} samples of weight 0 do not count", without_weight));
   if (merged.repeated > 0)
-    note(fmt::format(
-        "{} places were measured more than once, exchanged or mirrored ones too: their mean counts, from which the "
-        "values differ by {:.2g} % (root mean square)",
-        merged.repeated, 100.0 * merged.spread));
+    (merged.spread < doubtful_spread ? words.notes : words.warnings)
+        .push_back(fmt::format(
+            "{} places were measured more than once, exchanged or mirrored ones too: their mean counts, from which the "
+            "values differ by {:.2g} % (root mean square)",
+            merged.repeated, 100.0 * merged.spread));
   if (dimension < 3) note(note_of_shape(dimension));
   return words;
 }
@@ -120,9 +124,9 @@ double Tabulated::largest() const {
   return table_->largest;
 }
 
-Tabulated Tabulated::supposed() const {
+Tabulated Tabulated::with(Outside outside) const {
   Tabulated other = *this;
-  if (outside_ == Outside::error) other.outside_ = Outside::nearest;
+  other.outside_ = outside;
   return other;
 }
 

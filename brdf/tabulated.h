@@ -61,8 +61,8 @@ class Tabulated {
   [[nodiscard]] Outside outside() const { return outside_; }
   [[nodiscard]] double largest() const;
   [[nodiscard]] bool conserves_energy() const { return false; }
-  // The same, which never throws NotMeasured: for directions from which perhaps no one looks.
-  [[nodiscard]] Tabulated supposed() const;
+  // The same table with another rule.
+  [[nodiscard]] Tabulated with(Outside outside) const;
 
   // What the measurement is: its name, format, notes and warnings, with those on the table added; no samples.
   [[nodiscard]] const BrdfMeasurement& measurement() const;

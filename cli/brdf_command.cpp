@@ -19,6 +19,15 @@ struct Options {
   std::string material, theta_i = "0,30,60", step = "10", png;
 };
 
+// Not a number, at which the curve breaks, where it was not measured.
+double f_r_if_known(const Brdf& brdf, double theta_i, double theta_r) {
+  try {
+    return f_r_angles(brdf, theta_i, std::abs(theta_r), theta_r < 0.0 ? std::numbers::pi : 0.0);
+  } catch (const NotMeasured&) {
+    return std::nan("");
+  }
+}
+
 // f_r in the plane of incidence, as in the table: a negative theta_r is the specular side.
 BrdfCurve curve_of(const Brdf& brdf, double theta_i_deg) {
   BrdfCurve curve;
@@ -26,8 +35,7 @@ BrdfCurve curve_of(const Brdf& brdf, double theta_i_deg) {
   for (int k = -170; k <= 170; ++k) {
     const double theta_r_deg = 0.5 * k;
     curve.theta_r_deg.push_back(theta_r_deg);
-    const double phi = theta_r_deg < 0.0 ? std::numbers::pi : 0.0;
-    curve.f_r_per_sr.push_back(f_r_angles(brdf, theta_i_deg * degree, std::abs(theta_r_deg) * degree, phi));
+    curve.f_r_per_sr.push_back(f_r_if_known(brdf, theta_i_deg * degree, theta_r_deg * degree));
   }
   return curve;
 }
