@@ -95,6 +95,41 @@ double steepness_at(const SimplexMesh<D>& mesh, std::uint32_t cell, const std::v
   return most > 0.0 ? most / std::max(std::abs(volume<D>(edges)), 1e-300) : 0.0;
 }
 
+// Perpendicular to the face of a cell opposite its vertex k, away from that vertex; of any length.
+template <int D>
+Point<D> outward(const SimplexMesh<D>& mesh, const typename SimplexMesh<D>::Cell& cell, std::size_t k) {
+  const auto corner = [&](std::size_t j) { return mesh.points[cell.vertices[(k + j) % (D + 1)]]; };
+  Point<D> normal;
+  if constexpr (D == 1) {
+    normal.setOnes();
+  } else if constexpr (D == 2) {
+    const Point<2> edge = corner(2) - corner(1);
+    normal = {-edge.y(), edge.x()};
+  } else {
+    normal = (corner(2) - corner(1)).cross(corner(3) - corner(1));
+  }
+  return normal.dot(corner(1) - corner(0)) < 0.0 ? Point<D>(-normal) : normal;
+}
+
+// Numbers of points, each once.
+template <int D>
+std::vector<std::uint32_t> corners_toward_folds(const SimplexMesh<D>& mesh, const AffineFrame& frame) {
+  constexpr double flat = 1e-9;
+  std::vector<std::uint32_t> corners;
+  for (const auto& cell : mesh.cells)
+    for (std::size_t k = 0; k <= D; ++k) {
+      if (cell.neighbours[k] != SimplexMesh<D>::none) continue;
+      Vec3 normal = Vec3::Zero();
+      const Point<D> local = outward<D>(mesh, cell, k);
+      for (int axis = 0; axis < D; ++axis) normal += local[axis] * frame.axes.row(axis).transpose();
+      if (std::min(normal.y(), normal.z()) >= -flat * normal.norm()) continue;
+      for (std::size_t j = 1; j <= D; ++j) corners.push_back(cell.vertices[(k + j) % (D + 1)]);
+    }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 }  // namespace
 
 struct LinearInterpolant::Parts {
@@ -156,6 +191,29 @@ double LinearInterpolant::nearest(const Vec3& place) const {
 
 double LinearInterpolant::steepness(const Vec3& place) const {
   return parts_->at(place, everywhere, true)->steepness;
+}
+
+std::vector<LinearInterpolant::Corner> LinearInterpolant::corners_toward_folds() const {
+  std::vector<Corner> corners;
+  std::visit(
+      [&](const auto& in) {
+        if constexpr (requires { in->mesh; })
+          for (const std::uint32_t k : lrcs::corners_toward_folds(in->mesh, parts_->frame)) {
+            Vec3 place = parts_->frame.origin;
+            for (int axis = 0; axis < parts_->frame.dimension; ++axis)
+              place += in->mesh.points[k][axis] * parts_->frame.axes.row(axis).transpose();
+            corners.push_back({place, parts_->values[k]});
+          }
+      },
+      parts_->triangulation);
+  return corners;
+}
+
+bool LinearInterpolant::is_level(const Vec3& place) const {
+  const Vec3 local = parts_->frame.local(place);
+  for (int k = parts_->frame.dimension; k < 3; ++k)
+    if (std::abs(local[k]) > parts_->tolerance) return false;
+  return true;
 }
 
 int LinearInterpolant::dimension() const {

@@ -25,6 +25,15 @@ class LinearInterpolant {
   // At least the size of the gradient there; outside, that at the nearest place.
   [[nodiscard]] double steepness(const Vec3& place) const;
 
+  // The corners of those faces of the hull that look toward y < 0 or z < 0.
+  struct Corner {
+    Vec3 place;
+    double value = 0.0;
+  };
+  [[nodiscard]] std::vector<Corner> corners_toward_folds() const;
+  // Is the place, to within the tolerance, in the line, the plane or the space that the places fill?
+  [[nodiscard]] bool is_level(const Vec3& place) const;
+
   [[nodiscard]] int dimension() const;
   [[nodiscard]] std::size_t simplices() const;
 

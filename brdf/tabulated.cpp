@@ -45,6 +45,30 @@ PlacedValues placed(const std::vector<BrdfSample>& samples) {
   return values;
 }
 
+// What a place stands for, on the other sides of the folds (brdf/pair_place.h): its mirror images.
+std::vector<Vec3> images_of(const Vec3& p) {
+  std::vector<Vec3> images;
+  if (p.y() > tolerance) images.emplace_back(p.x(), -p.y(), p.z());
+  if (p.z() > tolerance) images.emplace_back(p.x(), p.y(), -p.z());
+  if (p.y() > tolerance && p.z() > tolerance) images.emplace_back(p.x(), -p.y(), -p.z());
+  return images;
+}
+
+// Few measurements hold just the pairs on the folds, such as the retro direction itself: the images of the samples next
+// to the folds are put beside the samples, so that what lies between them is measured.
+LinearInterpolant interpolant_of(const MergedPlaces& merged) {
+  PlacedValues all = merged.merged;
+  LinearInterpolant folded(all.places, all.values, tolerance);
+  const std::size_t own = all.places.size();
+  for (const auto& [place, value] : folded.corners_toward_folds())
+    for (const Vec3& image : images_of(place)) {
+      if (!folded.is_level(image)) continue;
+      all.places.push_back(image);
+      all.values.push_back(value);
+    }
+  return all.places.size() == own ? folded : LinearInterpolant(all.places, all.values, tolerance);
+}
+
 void require_samples(const BrdfMeasurement& measurement, const Place& place) {
   const auto& samples = measurement.samples;
   if (samples.size() > Tabulated::most_samples)
@@ -113,7 +137,7 @@ Tabulated::Tabulated(const BrdfMeasurement& measurement, Outside outside, const 
   const PlacedValues all = placed(measurement.samples);
   const MergedPlaces merged = merge_places(all, tolerance);
   const auto& [places, values, weights] = merged.merged;
-  LinearInterpolant f_r(places, values, tolerance);
+  LinearInterpolant f_r = interpolant_of(merged);
   const std::size_t without_weight = measurement.samples.size() - all.places.size();
   table_ = std::make_shared<const Table>(Table{described(measurement, without_weight, merged, f_r.dimension()), file,
                                                all.places.size(), places.size(),
