@@ -40,7 +40,8 @@ AffineFrame affine_frame(const std::vector<Vec3>& points, double tolerance) {
     frame.axes.row(frame.dimension) = along.normalized().transpose();
   }
   const bool in_plane = std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.z() == 0.0; });
-  if (frame.dimension == 3 || (frame.dimension == 2 && in_plane)) return {frame.dimension, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+  if (frame.dimension == 3 || (frame.dimension == 2 && in_plane))
+    return {frame.dimension, Vec3::Zero(), Eigen::Matrix3d::Identity()};
   complete(frame.axes, frame.dimension);
   return frame;
 }

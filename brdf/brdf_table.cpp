@@ -79,14 +79,15 @@ Rows rows_of(const Brdf& brdf, double i_deg, double step_deg, int steps) {
     const double r_deg = k * step_deg;
     try {
       const double f_r = f_r_angles(brdf, i_deg * degree, r_deg * degree, 0.0);
-      text.rows += fmt::format("{},{},0,{},{}\n", i_deg, r_deg, f_r, shadowing_of(brdf, i_deg * degree, r_deg * degree));
+      text.rows +=
+          fmt::format("{},{},0,{},{}\n", i_deg, r_deg, f_r, shadowing_of(brdf, i_deg * degree, r_deg * degree));
     } catch (const NotMeasured&) {
       missing.push_back(r_deg);
     }
   }
   if (!missing.empty())
-    text.left_out = fmt::format("# not measured, left out: theta_i = {} deg, theta_r = {} deg\n", i_deg,
-                                fmt::join(missing, " "));
+    text.left_out =
+        fmt::format("# not measured, left out: theta_i = {} deg, theta_r = {} deg\n", i_deg, fmt::join(missing, " "));
   return text;
 }
 
@@ -116,8 +117,8 @@ void add_albedo_warnings(const Brdf& brdf, std::vector<std::string>& warnings) {
     last = deg;
   }
   if (first_above_one)
-    warnings.push_back(
-        fmt::format("the albedo passes 1 from theta_i = {} deg on ({:.3g} at {} deg)", *first_above_one, at_last, last));
+    warnings.push_back(fmt::format("the albedo passes 1 from theta_i = {} deg on ({:.3g} at {} deg)", *first_above_one,
+                                   at_last, last));
   if (first_unknown)
     warnings.push_back(fmt::format(
         "not all directions were measured, from theta_i = {} deg on: albedos there are lower bounds, rows are left out",

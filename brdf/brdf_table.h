@@ -20,8 +20,8 @@ namespace lrcs {
 [[nodiscard]] std::string brdf_table(const Material& material, const std::vector<double>& theta_i_deg,
                                      double step_deg = 10.0, double largest_theta_r_deg = 80.0);
 
-// Where a user would be misled, a sentence each: what a measurement warns of, the albedo passes 1 (looked for at whole degrees up to 89), f_r is not
-// reciprocal (by how much at worst, on a grid up to 80 deg).
+// Where a user would be misled, a sentence each: what a measurement warns of, the albedo passes 1 (looked for at whole
+// degrees up to 89), f_r is not reciprocal (by how much at worst, on a grid up to 80 deg).
 [[nodiscard]] std::vector<std::string> brdf_warnings(const Brdf& brdf);
 
 // What `lrcs materials` writes: one line a material of the library: name, model, wavelength, parameters, source.

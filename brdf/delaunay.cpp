@@ -27,8 +27,7 @@ template <>
 struct Names<2> {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
   using Cell = CGAL::Triangulation_face_base_with_info_2<Index, Kernel>;
-  using Triangulation =
-      CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Cell>>;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Cell>>;
   using Handle = Triangulation::Face_handle;
   static Kernel::Point_2 point(const Point<2>& p) { return {p.x(), p.y()}; }
   static auto cells(const Triangulation& t) { return t.finite_face_handles(); }
@@ -37,9 +36,9 @@ struct Names<2> {
 template <>
 struct Names<3> {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
-  using Cell = CGAL::Triangulation_cell_base_with_info_3<Index, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-  using Triangulation =
-      CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+  using Cell =
+      CGAL::Triangulation_cell_base_with_info_3<Index, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
   using Handle = Triangulation::Cell_handle;
   static Kernel::Point_3 point(const Point<3>& p) { return {p.x(), p.y(), p.z()}; }
   static auto cells(const Triangulation& t) { return t.finite_cell_handles(); }

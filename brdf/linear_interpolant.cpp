@@ -19,7 +19,8 @@ struct Single {};
 
 template <int D>
 struct Triangulated {
-  explicit Triangulated(std::vector<Point<D>> points) : mesh(delaunay<D>(std::move(points))), search(mesh), hull(mesh) {}
+  explicit Triangulated(std::vector<Point<D>> points)
+      : mesh(delaunay<D>(std::move(points))), search(mesh), hull(mesh) {}
   SimplexMesh<D> mesh;
   SimplexSearch<D> search;
   HullSearch<D> hull;

@@ -10,7 +10,8 @@ namespace lrcs {
 // Values at places, and between them: linear in each simplex of a Delaunay triangulation of the places, in as many
 // dimensions as they fill (a point, a line, a plane, or space).
 // domain: one value a place, at least one; places more than the tolerance apart.
-// laws: continuous over the hull of the places; within the least and the largest value; constant where the values are, to the
+// laws: continuous over the hull of the places; within the least and the largest value; constant where the values are,
+// to the
 //   last bit; the answer depends on nothing but the place asked for. Safe from many threads at once.
 // check: tests/brdf/linear_interpolant_test.cpp.
 class LinearInterpolant {

@@ -104,7 +104,8 @@ Material material_from_yaml(const LocatedYaml& node, const std::string& name) {
   const BrdfForm& form = *find_brdf_form(model);
   refuse_keys_of_other_forms(node, form);
   node.allow_keys(keys_of(form));
-  return {name, brdf_from_yaml(node, form), wavelength_from_yaml(node), node.has("source") ? node.at("source").text() : ""};
+  return {name, brdf_from_yaml(node, form), wavelength_from_yaml(node),
+          node.has("source") ? node.at("source").text() : ""};
 }
 
 std::string material_to_yaml(const Material& material) {

@@ -13,7 +13,8 @@ namespace lrcs {
 //     x = (theta_h^2 - theta_d^2) / R,   (y, z) = stretch (2 theta_h theta_d / R) (|cos phi_d|, |sin phi_d|).
 //   Specular pairs (theta_h = 0) are the axis x <= 0, x = -theta_d; retro pairs (theta_d = 0) the axis x >= 0,
 //   x = theta_h; pairs in the plane of incidence have z = 0.
-// why: phi_d means nothing at theta_h = 0 and at theta_d = 0. Of two vectors in a plane, of lengths theta_h and theta_d,
+// why: phi_d means nothing at theta_h = 0 and at theta_d = 0. Of two vectors in a plane, of lengths theta_h and
+// theta_d,
 //   what turning both together leaves is a point of Hopf's map, which is this one: continuous and one to one, at most
 //   2 stretch times as steep in one direction as in another. Near either axis (y, z) is 2 stretch times the offset
 //   from the lobe's peak, x the place along it: a lobe that keeps its shape lies along x.

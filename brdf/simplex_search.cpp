@@ -116,7 +116,8 @@ SimplexPlace<D> SimplexSearch<D>::find(const Point<D>& point) const {
     for (std::size_t k = 0; k <= D; ++k) {
       if (!(weights[k] < least)) continue;
       // By rounding a face may seem to turn its back on both sides.
-      if (const Index beyond = mesh_.cells[cell].neighbours[k]; beyond == from && beyond != SimplexMesh<D>::none) continue;
+      if (const Index beyond = mesh_.cells[cell].neighbours[k]; beyond == from && beyond != SimplexMesh<D>::none)
+        continue;
       least = weights[k];
       out = k;
     }

@@ -14,9 +14,9 @@
 namespace lrcs {
 namespace {
 
-constexpr double tolerance = 1e-6;          // [rad] what files with seven digits leave of an angle
-constexpr double grazing = 1e-12;           // cosine
-constexpr double rounding = 64 * 0x1p-53;   // [rad] of a place
+constexpr double tolerance = 1e-6;         // [rad] what files with seven digits leave of an angle
+constexpr double grazing = 1e-12;          // cosine
+constexpr double rounding = 64 * 0x1p-53;  // [rad] of a place
 constexpr double rounding_of_cosine = 8 * 0x1p-53;
 
 // Of values measured more than once: beyond it the surface is perhaps not isotropic, or was not well aligned.
@@ -95,8 +95,8 @@ std::string note_of_shape(int dimension) {
 // Without the samples.
 BrdfMeasurement described(const BrdfMeasurement& measurement, std::size_t without_weight, const MergedPlaces& merged,
                           int dimension) {
-  BrdfMeasurement words{measurement.name, measurement.format,   measurement.wavelength,
-                        {},               measurement.notes, measurement.warnings};
+  BrdfMeasurement words{measurement.name,  measurement.format,  measurement.wavelength, {},
+                        measurement.notes, measurement.warnings};
   const auto note = [&](std::string sentence) { words.notes.push_back(std::move(sentence)); };
   note("f_r is taken to be isotropic, reciprocal and its own mirror image, and linear between the samples");
   if (without_weight > 0) note(fmt::format("{} samples of weight 0 do not count", without_weight));
@@ -218,8 +218,7 @@ void Tabulated::complain(const Vec3& wi, const Vec3& wr, const Vec3& n) const {
       fmt::format("f_r was not measured at theta_i = {:.6g}, theta_r = {:.6g}, phi = {:.6g} deg (phi = 0: retro; nor "
                   "with the directions exchanged): expected samples about there, or outside: nearest or outside: zero "
                   "in the material{}",
-                  zenith(wi), zenith(wr), phi,
-                  dimension() < 3 ? fmt::format("; {}", note_of_shape(dimension())) : ""));
+                  zenith(wi), zenith(wr), phi, dimension() < 3 ? fmt::format("; {}", note_of_shape(dimension())) : ""));
 }
 
 double Tabulated::lobe_error(const Direction<double>& wi, const Direction<double>& wr,

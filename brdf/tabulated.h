@@ -42,10 +42,12 @@ struct MeasuredFile {
 // extension: f_r is taken to be isotropic, reciprocal and its own mirror image: a sample counts for all directions that
 //   these make of its own. Samples that fall together to within 1e-6 rad count as their mean by weight; samples of
 //   weight 0 do not count.
-// domain: inside the convex hull of the places and of their images (brdf/pair_place.h), to within 1e-6 rad; elsewhere as Outside says. That includes gaps among the samples.
-//   Directions within 1e-12 of grazing, which rounding cannot tell from those of a facet that is not seen, take the nearest
-//   value even where Outside::error holds.
-// laws: reciprocal, to the last bit; between the least and the largest sample; the same value on any thread and in any order
+// domain: inside the convex hull of the places and of their images (brdf/pair_place.h), to within 1e-6 rad; elsewhere
+// as Outside says. That includes gaps among the samples.
+//   Directions within 1e-12 of grazing, which rounding cannot tell from those of a facet that is not seen, take the
+//   nearest value even where Outside::error holds.
+// laws: reciprocal, to the last bit; between the least and the largest sample; the same value on any thread and in any
+// order
 //   of questions. The albedo is what it was measured to be: not promised to be below 1.
 // error: second order in the distance of the samples where f_r is smooth: tests/brdf/tabulated_test.cpp.
 // On scalars other than double it computes in double.

@@ -32,8 +32,8 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
           else if (cos_i < 0.0 && target.sides == Sides::front)
             continue;
           else if (retro)
-            out[k] = seen[k].value > 0.0 ? model.f_cos_cos_retro(std::abs(cos_i))
-                                         : unseen.f_cos_cos_retro(std::abs(cos_i));
+            out[k] =
+                seen[k].value > 0.0 ? model.f_cos_cos_retro(std::abs(cos_i)) : unseen.f_cos_cos_retro(std::abs(cos_i));
           else if (seen[k].value == 0.0)
             out[k] = unseen.f_cos_cos(wi, wr, cos_i < 0.0 ? Vec3(-n) : n);
           else

@@ -19,8 +19,8 @@ inline BrdfMeasurement measured(const Brdf& brdf, const std::vector<double>& the
   for (const double i : theta_i_deg)
     for (const double r : theta_r_deg)
       for (const double phi : phi_deg)
-        samples.push_back({i * degree, r * degree, phi * degree,
-                           f_r_angles(brdf, i * degree, r * degree, phi * degree), 1.0, 0});
+        samples.push_back(
+            {i * degree, r * degree, phi * degree, f_r_angles(brdf, i * degree, r * degree, phi * degree), 1.0, 0});
   return measurement_of(std::move(samples));
 }
 
