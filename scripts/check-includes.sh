@@ -8,10 +8,10 @@ allow() { # folder, folders it may include
   [ -z "$wrong" ] || { echo "$wrong"; status=1; }
 }
 allow base 'base'
-allow brdf 'base|brdf'
+allow brdf 'base|measurement|brdf'
 allow measurement 'base|measurement'
 allow mesh 'base|mesh'
-allow lrcs 'base|brdf|mesh|lrcs'
+allow lrcs 'base|measurement|brdf|mesh|lrcs'
 allow view 'base|mesh|view'
 allow cli 'base|brdf|mesh|lrcs|view|cli'
 allow bench 'base|brdf|mesh|lrcs|view|bench'
