@@ -57,7 +57,7 @@ TEST(TabulatedScene, ThatAsksForWhatWasNotMeasuredIsExitTwoWithOneMessageAndNoTa
   folder.write("grey.yaml", "{model: tabulated, file: grey.csv}\n");
   for (const char* target : {"ball.stl", "box.stl"}) {
     const Outcome outcome = run_lrcs({"sweep", target, "--unit", "m", "--material", "grey.yaml", "--azimuth", "7:67:5",
-                                      "--facets", "7,0", "-t", "4", "-o", "out"},
+                                      "--facets", "7,0", "-q", "-t", "4", "-o", "out"},
                                      {folder.path()});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err.find("lrcs: grey.csv: f_r was not measured at theta_i = "), 0U) << outcome.err;
