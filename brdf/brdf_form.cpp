@@ -51,6 +51,9 @@ BrdfWords words(const CookTorranceBeckmann& model) {
 BrdfWords words(const CookTorranceGgx& model) {
   return words_in<forms::CookTorranceGgxForm>(model);
 }
+BrdfWords words(const Tabulated& /*model*/) {
+  return {};
+}
 
 }  // namespace
 

@@ -24,7 +24,7 @@ struct BrdfForm {
 // The form of that name, or nullptr.
 [[nodiscard]] const BrdfForm* find_brdf_form(std::string_view name);
 
-// A BRDF written down, in the form with the fewest parameters that holds it.
+// A BRDF written down, in the form with the fewest parameters that holds it; Tabulated has none: form is nullptr.
 // law: form->make(values, azimuth_of_specular) gives the same BRDF back.
 struct BrdfWords {
   const BrdfForm* form = nullptr;

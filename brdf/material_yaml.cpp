@@ -2,24 +2,25 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <stdexcept>
 
 #include "base/length.h"
 #include "base/nearest_name.h"
 #include "brdf/brdf_form.h"
 #include "brdf/library.h"
+#include "brdf/tabulated_yaml.h"
+#include "brdf/yaml_words.h"
 
 namespace lrcs {
 namespace {
 
-std::vector<std::string> form_names() {
+std::vector<std::string> model_names() {
   std::vector<std::string> names;
   for (const BrdfForm& form : brdf_forms()) names.push_back(form.name);
+  names.emplace_back(tabulated_model);
   return names;
 }
 
@@ -35,32 +36,14 @@ std::vector<std::string> keys_of(const BrdfForm& form) {
 void refuse_keys_of_other_forms(const LocatedYaml& node, const BrdfForm& form) {
   const auto own = keys_of(form);
   for (const auto& [key, value] : node.entries()) {
+    const auto refuse_key_among = [&, &word = key](const std::vector<std::string>& theirs, std::string_view other) {
+      if (std::find(theirs.begin(), theirs.end(), word) != theirs.end())
+        node.key_place(word).fail(fmt::format("unknown key '{}' of {}: it belongs to {} (known: {})", word, form.name,
+                                              other, fmt::join(own, ", ")));
+    };
     if (std::find(own.begin(), own.end(), key) != own.end()) continue;
-    for (const BrdfForm& other : brdf_forms()) {
-      const auto theirs = keys_of(other);
-      if (std::find(theirs.begin(), theirs.end(), key) != theirs.end())
-        node.key_place(key).fail(fmt::format("unknown key '{}' of {}: it belongs to {} (known: {})", key, form.name,
-                                             other.name, fmt::join(own, ", ")));
-    }
-  }
-}
-
-int azimuth_of_specular(const LocatedYaml& node, int otherwise) {
-  if (!node.has("azimuth_of_specular")) return otherwise;
-  const LocatedYaml azimuth = node.at("azimuth_of_specular");
-  if (!azimuth.is_number() || (azimuth.number() != 180.0 && azimuth.number() != 0.0))
-    azimuth.fail("expected azimuth_of_specular 180 or 0" +
-                 (azimuth.is_scalar() ? fmt::format(", found '{}'", azimuth.text()) : std::string()));
-  return static_cast<int>(azimuth.number());
-}
-
-double wavelength(const LocatedYaml& node) {
-  if (!node.has("wavelength")) return 0.0;
-  const LocatedYaml value = node.at("wavelength");
-  try {
-    return length_from_text(value.text());
-  } catch (const std::invalid_argument& error) {
-    value.fail(error.what());
+    for (const BrdfForm& other : brdf_forms()) refuse_key_among(keys_of(other), other.name);
+    refuse_key_among(tabulated_keys(), tabulated_model);
   }
 }
 
@@ -73,7 +56,7 @@ Material from_library(const LocatedYaml& node, const std::string& name) {
                             did_you_mean(wanted.text(), library_names()), fmt::join(library_names(), ", ")));
   Material material = *found;
   const BrdfWords words = words_of(found->brdf);
-  material.brdf = words.form->make(words.values, azimuth_of_specular(node, words.azimuth_of_specular));
+  material.brdf = words.form->make(words.values, azimuth_of_specular_from_yaml(node, words.azimuth_of_specular));
   material.name = name;
   material.source = fmt::format("{}: {}", found->name, found->source);
   return material;
@@ -83,16 +66,20 @@ Brdf brdf_from_yaml(const LocatedYaml& node, const BrdfForm& form) {
   std::vector<double> values;
   for (const std::string& key : form.parameters) values.push_back(node.at(key).number());
   try {
-    return form.make(values, form.has_azimuth_of_specular ? azimuth_of_specular(node, 180) : 180);
+    return form.make(values, form.has_azimuth_of_specular ? azimuth_of_specular_from_yaml(node, 180) : 180);
   } catch (const ParameterError& error) {
     node.at(error.parameter()).fail(error.what());
   }
 }
 
-std::string quoted(const std::string& text) {
-  YAML::Emitter out;
-  out << YAML::DoubleQuoted << text;
-  return out.c_str();
+std::string brdf_to_yaml(const Brdf& brdf) {
+  if (const auto* tabulated = std::get_if<Tabulated>(&brdf)) return tabulated_to_yaml(*tabulated);
+  const BrdfWords words = words_of(brdf);
+  std::string yaml = fmt::format("model: {}\n", words.form->name);
+  for (std::size_t k = 0; k < words.values.size(); ++k)
+    yaml += fmt::format("{}: {}\n", words.form->parameters[k], words.values[k]);
+  if (words.form->has_azimuth_of_specular) yaml += fmt::format("azimuth_of_specular: {}\n", words.azimuth_of_specular);
+  return yaml;
 }
 
 Material from_reflectance(const std::string& words, std::string_view digits) {
@@ -112,20 +99,19 @@ Material from_reflectance(const std::string& words, std::string_view digits) {
 Material material_from_yaml(const LocatedYaml& node, const std::string& name) {
   if (node.has("library")) return from_library(node, name);
   if (!node.has("model")) node.fail("key 'model' or 'library' is missing");
-  const BrdfForm& form = *find_brdf_form(node.at("model").one_of(form_names()));
+  const std::string model = node.at("model").one_of(model_names());
+  if (model == tabulated_model) return tabulated_from_yaml(node, name);
+  const BrdfForm& form = *find_brdf_form(model);
   refuse_keys_of_other_forms(node, form);
   node.allow_keys(keys_of(form));
-  return {name, brdf_from_yaml(node, form), wavelength(node), node.has("source") ? node.at("source").text() : ""};
+  return {name, brdf_from_yaml(node, form), wavelength_from_yaml(node),
+          node.has("source") ? node.at("source").text() : ""};
 }
 
 std::string material_to_yaml(const Material& material) {
-  const BrdfWords words = words_of(material.brdf);
-  std::string yaml = fmt::format("model: {}\n", words.form->name);
-  for (std::size_t k = 0; k < words.values.size(); ++k)
-    yaml += fmt::format("{}: {}\n", words.form->parameters[k], words.values[k]);
-  if (words.form->has_azimuth_of_specular) yaml += fmt::format("azimuth_of_specular: {}\n", words.azimuth_of_specular);
+  std::string yaml = brdf_to_yaml(material.brdf);
   if (material.wavelength > 0.0) yaml += fmt::format("wavelength: {}\n", text_of_length(material.wavelength, "um"));
-  if (!material.source.empty()) yaml += fmt::format("source: {}\n", quoted(material.source));
+  if (!material.source.empty()) yaml += fmt::format("source: {}\n", quoted_yaml(material.source));
   return yaml;
 }
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/input_error.h"
-#include "brdf/brdf_form.h"
+#include "brdf/brdf_table.h"
 #include "brdf/shadowing.h"
 #include "view/brdf_plot.h"
 #include "view/brdf_surface.h"
@@ -26,7 +26,7 @@ bool has_shadowing(const Material& material) {
 void require_shadowing(const std::string& flag, const Material& material) {
   if (has_shadowing(material)) return;
   throw InputError(fmt::format("{}: expected a material with a shadowing function, found '{}', model {}", flag,
-                               material.name, words_of(material.brdf).form->name));
+                               material.name, description_of(material.brdf)));
 }
 
 // In the plane of incidence; as in the table a negative theta_r is the specular side. steps: of half a degree.
@@ -40,11 +40,19 @@ double phi_of(double signed_theta_r_deg) {
   return signed_theta_r_deg < 0.0 ? 180.0 * degree : 0.0;
 }
 
+// Not a number, at which the curve breaks, where it was not measured.
+double f_r_if_known(const Brdf& brdf, double theta_i_deg, double signed_theta_r_deg) {
+  try {
+    return f_r_angles(brdf, theta_i_deg * degree, std::abs(signed_theta_r_deg) * degree, phi_of(signed_theta_r_deg));
+  } catch (const NotMeasured&) {
+    return std::nan("");
+  }
+}
+
 BrdfCurve brdf_curve(const Material& material, double theta_i_deg) {
   BrdfCurve curve{theta_i_deg, signed_angles(170), {}};
   for (const double r_deg : curve.theta_r_deg)
-    curve.f_r_per_sr.push_back(
-        f_r_angles(material.brdf, theta_i_deg * degree, std::abs(r_deg) * degree, phi_of(r_deg)));
+    curve.f_r_per_sr.push_back(f_r_if_known(material.brdf, theta_i_deg, r_deg));
   return curve;
 }
 

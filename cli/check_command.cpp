@@ -22,7 +22,7 @@ void check(const std::string& file, bool quiet) {
                std::count(loaded.target.material.begin(), loaded.target.material.end(), m));
   fmt::print("directions  {}\n", scene.directions.size());
   if (quiet) return;
-  for (const auto& warning : wavelength_warnings(scene)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+  for (const auto& warning : material_warnings(scene)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
   facts.command = common.command;
   facts.started_utc = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   facts.threads = common.threads != 0 ? common.threads : std::max(1U, std::thread::hardware_concurrency());
-  facts.warnings = wavelength_warnings(scene);
+  facts.warnings = material_warnings(scene);
 
   (void)facet_rows(scene);  // a large target is not read in vain
   auto start = Clock::now();

@@ -21,17 +21,21 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
   std::visit(
       [&](const auto& model) {
         const auto pair = model.for_pair(wi, wr);
+        const auto& unseen = supposed(model);  // of facets that only rounding may make visible
         for (std::size_t k = 0; k < out.size(); ++k) {
           if (target.material[k] != material || (seen[k].value == 0.0 && seen[k].bound == 0.0)) continue;
           const Vec3& n = target.mesh.normals[k];
           const double cos_i = n.dot(wi);
           const bool perhaps_edge_on = seen[k].value == 0.0 && seen[k].bound == 1.0;
           if (perhaps_edge_on && !retro)
-            out[k] = largest_edge_on(pair, n, wi, wr, target.sides == Sides::front);
+            out[k] = largest_edge_on(unseen.for_pair(wi, wr), n, wi, wr, target.sides == Sides::front);
           else if (cos_i < 0.0 && target.sides == Sides::front)
             continue;
           else if (retro)
-            out[k] = model.f_cos_cos_retro(std::abs(cos_i));
+            out[k] =
+                seen[k].value > 0.0 ? model.f_cos_cos_retro(std::abs(cos_i)) : unseen.f_cos_cos_retro(std::abs(cos_i));
+          else if (seen[k].value == 0.0)
+            out[k] = unseen.f_cos_cos(wi, wr, cos_i < 0.0 ? Vec3(-n) : n);
           else
             out[k] = cos_i < 0.0 ? pair(Vec3(-n)) : pair(n);
           if constexpr (requires { pair.lobe_error(n); })

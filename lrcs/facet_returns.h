@@ -21,9 +21,10 @@ class FacetReturns {
   [[nodiscard]] double of(std::uint32_t facet) const;
 
   // The same; the most that either side may return where the transmitter sees it edge-on, as far as doubles tell.
+  // Of a model that throws NotMeasured, the value it supposes then: perhaps no one sees the facet (brdf/brdf.h).
   [[nodiscard]] double most(std::uint32_t facet) const;
 
-  // Of a facet of this material. n: its normal, toward the receiver.
+  // Of a facet of this material, supposed likewise. n: its normal, toward the receiver.
   [[nodiscard]] double of_material(std::size_t material, const Vec3& n) const;
 
   // The largest difference between this and what any other facet in its plane may return, of whatever material.
@@ -32,7 +33,10 @@ class FacetReturns {
  private:
   const Target& target_;
   Vec3 wi_, wr_;
-  std::vector<std::function<double(const Vec3& n)>> models_;  // one a material: f_r cos_i cos_r of a normal
+  using Models = std::vector<std::function<double(const Vec3& n)>>;  // one a material: f_r cos_i cos_r of a normal
+  [[nodiscard]] double value(const Models& models, std::size_t material, const Vec3& n) const;
+  [[nodiscard]] double value(const Models& models, std::uint32_t facet) const;
+  Models models_, supposed_;
 };
 
 }  // namespace lrcs

@@ -27,6 +27,17 @@ Json target_json(const Scene& scene, const LoadedTarget& loaded) {
             {"flipped", r.flipped}}}};
 }
 
+Json measurement_json(const Tabulated& tabulated) {
+  return {{"file", tabulated.file().path},
+          {"sha256", tabulated.file().digest},
+          {"format", tabulated.measurement().format},
+          {"samples", tabulated.samples()},
+          {"places", tabulated.places()},
+          {"outside", std::string(word_of(tabulated.outside()))},
+          {"notes", tabulated.measurement().notes},
+          {"warnings", tabulated.measurement().warnings}};
+}
+
 Json materials_json(const LoadedTarget& loaded) {
   std::vector<std::size_t> facets(loaded.target.materials.size(), 0);
   for (const auto m : loaded.target.material) ++facets[m];
@@ -34,6 +45,8 @@ Json materials_json(const LoadedTarget& loaded) {
   for (std::size_t k = 0; k < facets.size(); ++k) {
     const Material& m = loaded.target.materials[k];
     materials.push_back({{"name", m.name}, {"facets", facets[k]}, {"definition", material_to_yaml(m)}});
+    if (const auto* tabulated = std::get_if<Tabulated>(&m.brdf))
+      materials.back()["measurement"] = measurement_json(*tabulated);
   }
   return materials;
 }

@@ -213,4 +213,13 @@ std::vector<std::string> wavelength_warnings(const Scene& scene) {
   return warnings;
 }
 
+std::vector<std::string> material_warnings(const Scene& scene) {
+  std::vector<std::string> warnings = wavelength_warnings(scene);
+  for (const Material& m : scene.materials)
+    if (const auto* tabulated = std::get_if<Tabulated>(&m.brdf))
+      for (const std::string& warning : tabulated->measurement().warnings)
+        warnings.push_back(fmt::format("material '{}': {}", m.name, warning));
+  return warnings;
+}
+
 }  // namespace lrcs

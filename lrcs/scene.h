@@ -67,4 +67,7 @@ struct Scene {
 // Materials made for another wavelength than the scene's; one line each.
 [[nodiscard]] std::vector<std::string> wavelength_warnings(const Scene& scene);
 
+// These, and what the measurements of tabulated materials warn of; one line each.
+[[nodiscard]] std::vector<std::string> material_warnings(const Scene& scene);
+
 }  // namespace lrcs

@@ -12,7 +12,8 @@ TEST(BrdfForms, GiveEveryBrdfBackFromItsWords) {
   RandomDirections random(31);
   for (const Brdf& brdf : sample_brdfs()) {
     const BrdfWords words = words_of(brdf);
-    ASSERT_NE(words.form, nullptr);
+    EXPECT_EQ(words.form == nullptr, std::holds_alternative<Tabulated>(brdf));
+    if (words.form == nullptr) continue;
     EXPECT_EQ(words.values.size(), words.form->parameters.size());
     const Brdf again = words.form->make(words.values, words.azimuth_of_specular);
     for (int k = 0; k < 20; ++k) {

@@ -59,6 +59,7 @@ TEST(MaterialYaml, TakesTheOtherAzimuthConventionForALibraryMaterialToo) {
 
 TEST(MaterialYaml, ReadsBackWhatItWrites) {
   for (const Brdf& brdf : sample_brdfs()) {
+    if (std::holds_alternative<Tabulated>(brdf)) continue;  // comes from a file: tabulated_yaml_test.cpp
     const Material material{"skin", brdf, 1.0645e-6, "a \"lab\": 3 # of 4\nsamples"};
     const Material again = read(material_to_yaml(material));
     EXPECT_EQ(words_of(again.brdf).values, words_of(brdf).values);
@@ -79,7 +80,7 @@ TEST(MaterialYaml, NamesTheNearestKeyModelAndLibraryMaterial) {
             "(known: model, reflectance, wavelength, source)");
   EXPECT_EQ(complaint("model: lambrt"),
             "scene.yaml:1:8: expected lambert or five_parameter or nine_parameter or steinvall or phong or "
-            "cook_torrance_beckmann or cook_torrance_ggx, found 'lambrt'");
+            "cook_torrance_beckmann or cook_torrance_ggx or tabulated, found 'lambrt'");
   EXPECT_EQ(complaint("library: metal-skin-5q"),
             "scene.yaml:1:10: unknown library material 'metal-skin-5q', did you mean 'metal-skin-5p'? "
             "(known: metal-skin-5p, metal-skin-9p, painted-steel-5p, painted-steel-9p)");

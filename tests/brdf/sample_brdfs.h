@@ -6,6 +6,7 @@
 
 #include "brdf/brdf_form.h"
 #include "brdf/library.h"
+#include "tests/brdf/made_measurement.h"
 
 namespace lrcs {
 
@@ -28,6 +29,10 @@ inline std::vector<Brdf> sample_brdfs() {
   samples.emplace_back(CookTorranceBeckmann(0.0, 1.0, 0.9, 1.4));
   samples.emplace_back(CookTorranceGgx(0.3, 0.6, 0.5, 0.15));
   samples.emplace_back(CookTorranceGgx(0.0, 1.0, 0.0, 2.0));
+  const Brdf measured_one = CookTorranceGgx(0.3, 0.6, 0.5, 0.4);
+  samples.emplace_back(Tabulated(measured_on_grid(measured_one, 10.0, 80.0), Outside::nearest));
+  samples.emplace_back(
+      Tabulated(measured(measured_one, {0.0, 20.0, 60.0}, steps(0.0, 70.0, 5.0), {0.0, 180.0}), Outside::nearest));
   return samples;
 }
 
