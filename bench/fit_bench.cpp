@@ -41,7 +41,8 @@ constexpr auto about =
     "of all methods, of --reference descents from anywhere, and of one from the true parameters. Then polished: "
     "success\n"
     "after one descent from where a method ended, whose time is not counted. Ratio: sum of squares over the best\n"
-    "known, where that is not exact. Time and evaluations of residuals or residuals with derivatives: medians.\n"
+    "known, where that is not exact. Time: of the processor. Evaluations: of residuals, or of residuals with\n"
+    "derivatives. Both: medians.\n"
     "Exit status: 0; 1: --short and lrcs misses a success of 100 % or a median time of 0.5 s; 2: wrong input.";
 
 void print(const std::string& text) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/fit_methods.h"
-#include "bench/stopwatch.h"
+#include "bench/processor_time.h"
 #include "fit/descent.h"
 
 namespace lrcs {
@@ -30,9 +30,10 @@ class Contest {
  private:
   template <class Call>
   void measure(const std::string& name, const Call& call) {
-    FitEnd end;
     FitRun run{.method = name, .noise = data_.noise};
-    run.seconds = seconds_of([&] { end = call(); });
+    const ProcessorTime time;
+    const FitEnd end = call();
+    run.seconds = time.seconds();
     run.evaluations = end.evaluations;
     run.squares = noted(end.parameters);
     run.polished = std::min(run.squares, polished(end.parameters));

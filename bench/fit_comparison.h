@@ -11,7 +11,7 @@ namespace lrcs {
 struct FitRun {
   std::string method;
   double noise = 0.0;
-  double seconds = 0.0;
+  double seconds = 0.0;  // of processor time
   long evaluations = 0;
   double squares = 0.0;   // sum of squared residuals [E/100]
   double polished = 0.0;  // the same after one descend() from there, which is in no time or evaluations

@@ -4,15 +4,16 @@ set -eu
 cd "$(dirname "$0")/.."
 status=0
 allow() { # folder, folders it may include
-  wrong=$(grep -nE '^#include "(base|brdf|measurement|mesh|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
+  wrong=$(grep -nE '^#include "(base|brdf|measurement|fit|mesh|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
   [ -z "$wrong" ] || { echo "$wrong"; status=1; }
 }
 allow base 'base'
 allow brdf 'base|brdf'
 allow measurement 'base|measurement'
+allow fit 'base|brdf|measurement|fit'
 allow mesh 'base|mesh'
 allow lrcs 'base|brdf|mesh|lrcs'
 allow view 'base|mesh|view'
-allow cli 'base|brdf|mesh|lrcs|view|cli'
-allow bench 'base|brdf|mesh|lrcs|view|bench'
+allow cli 'base|brdf|measurement|fit|mesh|lrcs|view|cli'
+allow bench 'base|brdf|measurement|fit|mesh|lrcs|view|bench'
 exit $status
