@@ -12,6 +12,7 @@
 #include "bench/fit_methods.h"
 #include "bench/fit_table.h"
 #include "bench/machine_facts.h"
+#include "bench/stopwatch.h"
 
 namespace lrcs {
 namespace {
@@ -24,6 +25,7 @@ struct Options {
   int seeds = 20;
   int reference = 200;
   FitBudget budget;
+  double longest = 1e9;  // [s]
   bool is_short = false;
 };
 
@@ -54,8 +56,10 @@ void print(const std::string& text) {
 bool measure(const std::string& form, const Options& options) {
   std::vector<FitComparison> comparisons;
   const auto methods = fit_methods(options.budget);
-  for (const FitData& data : all_fit_data(options.noises, options.seeds))
-    comparisons.push_back(compare_fits(methods, form, data, options.reference));
+  const Stopwatch watch;
+  for (int seed = 1; seed <= options.seeds && watch.seconds() < options.longest; ++seed)
+    for (const FitData& data : all_fit_data(options.noises, static_cast<std::uint64_t>(seed)))
+      comparisons.push_back(compare_fits(methods, form, data, options.reference));
   print(fit_table_text(form, comparisons, options.noises));
   const auto misses = missed_bars(fit_summaries(comparisons, options.noises));
   print(misses.empty() ? "bars passed: lrcs 100 % success, median time at most 0.5 s\n"
@@ -74,17 +78,20 @@ int run(int argc, char** argv) {
   Options options;
   CLI::App app(about, "lrcs_fit_bench");
   app.add_flag("--short", options.is_short, "Half a minute: one seed, little of the others; checks lrcs");
-  const auto seldom = [&](CLI::Option* option) { option->excludes(app.get_option("--short")); };
+  const auto not_short = [&](CLI::Option* option) { option->excludes(app.get_option("--short")); };
   app.add_option("--forms", options.forms, "nine_parameter, five_parameter or both, with a comma")
       ->delimiter(',')
       ->check(CLI::IsMember({"nine_parameter", "five_parameter"}));
-  seldom(
+  not_short(
       app.add_option("--seeds", options.seeds, "Seeds a material and noise (default 20)")->check(CLI::Range(1, 1000)));
-  seldom(app.add_option("--reference", options.reference, "Descents from anywhere a set of data (default 200)")
-             ->check(CLI::Range(1, 100000)));
-  seldom(app.add_option("--evaluations", options.budget.evaluations, "Of a method without derivatives (default 40000)")
-             ->check(CLI::Range(1000, 10000000)));
-  seldom(app.add_option("--starts", options.budget.starts, "Of Ceres (default 100)")->check(CLI::Range(1, 100000)));
+  not_short(app.add_option("--reference", options.reference, "Descents from anywhere a set of data (default 200)")
+                ->check(CLI::Range(1, 100000)));
+  not_short(
+      app.add_option("--evaluations", options.budget.evaluations, "Of a method without derivatives (default 40000)")
+          ->check(CLI::Range(1000, 10000000)));
+  not_short(app.add_option("--starts", options.budget.starts, "Of Ceres (default 100)")->check(CLI::Range(1, 100000)));
+  not_short(
+      app.add_option("--longest-s", options.longest, "No further seed for a form after so long [s] (default: all)"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
@@ -92,8 +99,9 @@ int run(int argc, char** argv) {
   }
   if (options.is_short) shorten(options);
   print(machine_facts());
-  print(fmt::format("seeds {}, descents from anywhere {}, evaluations without derivatives {}, Ceres starts {}\n",
-                    options.seeds, options.reference, options.budget.evaluations, options.budget.starts));
+  print(
+      fmt::format("seeds: at most {}, descents from anywhere {}, evaluations without derivatives {}, Ceres starts {}\n",
+                  options.seeds, options.reference, options.budget.evaluations, options.budget.starts));
   bool passed = true;
   for (const std::string& form : options.forms) passed = measure(form, options) && passed;
   return options.is_short && !passed ? missed : done;

@@ -40,12 +40,10 @@ FitData fit_data(const Material& material, double noise, std::uint64_t seed) {
   return data;
 }
 
-std::vector<FitData> all_fit_data(const std::vector<double>& noises, int seeds) {
+std::vector<FitData> all_fit_data(const std::vector<double>& noises, std::uint64_t seed) {
   std::vector<FitData> all;
   for (const Material& material : material_library())
-    for (const double noise : noises)
-      for (int seed = 1; seed <= seeds; ++seed)
-        all.push_back(fit_data(material, noise, static_cast<std::uint64_t>(seed)));
+    for (const double noise : noises) all.push_back(fit_data(material, noise, seed));
   return all;
 }
 

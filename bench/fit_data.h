@@ -21,8 +21,8 @@ struct FitData {
 // side. f_r (1 + noise g), g normal; never below 0. laws: the same bytes for the same seed.
 [[nodiscard]] FitData fit_data(const Material& material, double noise, std::uint64_t seed);
 
-// Every material of the library with every noise and the seeds 1 to `seeds`.
-[[nodiscard]] std::vector<FitData> all_fit_data(const std::vector<double>& noises, int seeds);
+// Every material of the library with every noise.
+[[nodiscard]] std::vector<FitData> all_fit_data(const std::vector<double>& noises, std::uint64_t seed);
 
 // The true values of a form's parameters: the nine, or the first five of them.
 [[nodiscard]] std::vector<double> true_parameters(const FitData& data, std::string_view form);

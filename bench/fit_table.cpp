@@ -26,6 +26,7 @@ std::vector<std::string> methods_of(const std::vector<FitRun>& runs) {
 template <class Value>
 double median_of(const std::vector<FitRun>& runs, const Value& value) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const FitRun& r : runs) values.push_back(static_cast<double>(value(r)));
   return median(values);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>
-#include <pagmo/algorithms/sade.hpp>
+#include <pagmo/algorithms/de1220.hpp>
 #include <pagmo/algorithms/simulated_annealing.hpp>
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
@@ -46,23 +46,28 @@ FitEnd annealing(const FitTask& task, unsigned budget) {
       task, pagmo::algorithm(pagmo::simulated_annealing(1.0, 1e-9, temperatures, adjustments, steps, 1.0, seed)), 1);
 }
 
-constexpr unsigned population = 64;
 constexpr double never = 0.0;  // stop for want of progress
 
-unsigned generations(unsigned budget) {
+// Besides the first population.
+unsigned generations(unsigned budget, unsigned population) {
   return std::max(budget / population, 2U) - 1;
 }
 
 FitEnd evolution(const FitTask& task, unsigned budget) {
+  constexpr unsigned population = 20;
   const auto seed = static_cast<unsigned>(task.data.seed);
-  return evolve(task, pagmo::algorithm(pagmo::sade(generations(budget), 2, 1, never, never, false, seed)), population);
+  const pagmo::de1220 algorithm(generations(budget, population), pagmo::de1220_statics<void>::allowed_variants, 1,
+                                never, never, false, seed);
+  return evolve(task, pagmo::algorithm(algorithm), population);
 }
 
 FitEnd covariance(const FitTask& task, unsigned budget) {
+  constexpr unsigned population = 64;
+  constexpr double its_own = -1.0, first_step = 0.5;
   const auto seed = static_cast<unsigned>(task.data.seed);
-  return evolve(
-      task, pagmo::algorithm(pagmo::cmaes(generations(budget), -1, -1, -1, -1, 0.5, never, never, false, true, seed)),
-      population);
+  const pagmo::cmaes algorithm(generations(budget, population), its_own, its_own, its_own, its_own, first_step, never,
+                               never, false, true, seed);
+  return evolve(task, pagmo::algorithm(algorithm), population);
 }
 
 }  // namespace
@@ -70,7 +75,7 @@ FitEnd covariance(const FitTask& task, unsigned budget) {
 std::vector<FitMethod> pagmo_methods(int evaluations) {
   const auto budget = static_cast<unsigned>(evaluations);
   return {{"pagmo annealing", [budget](const FitTask& task) { return annealing(task, budget); }},
-          {"pagmo sade", [budget](const FitTask& task) { return evolution(task, budget); }},
+          {"pagmo de1220", [budget](const FitTask& task) { return evolution(task, budget); }},
           {"pagmo CMA-ES", [budget](const FitTask& task) { return covariance(task, budget); }}};
 }
 
