@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "bench/median.h"
 #include "bench/method.h"
 #include "bench/summary.h"
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "bench/summary.h"
+#include "bench/median.h"
 #include "brdf/library.h"
 #include "lrcs/aspect.h"
 #include "lrcs/sampled_sections.h"

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <map>
 
+#include "bench/median.h"
+
 namespace lrcs {
 namespace {
 
@@ -56,13 +58,6 @@ std::string error_text(double error) {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  assert(!values.empty());
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 double root_mean_square(const std::vector<double>& values) {
   assert(!values.empty());

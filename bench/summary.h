@@ -22,7 +22,6 @@ struct Summary {
 [[nodiscard]] std::vector<Summary> summaries(const std::vector<Measurement>& of_target);
 
 // domain: not empty.
-[[nodiscard]] double median(std::vector<double> values);
 [[nodiscard]] double root_mean_square(const std::vector<double>& values);
 
 // The table as printed, with its head.

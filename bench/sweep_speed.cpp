@@ -8,8 +8,8 @@
 #include "bench/copy_bandwidth.h"
 #include "bench/icosphere.h"
 #include "bench/measurement.h"
+#include "bench/median.h"
 #include "bench/stopwatch.h"
-#include "bench/summary.h"
 #include "brdf/library.h"
 #include "lrcs/sweep.h"
 
