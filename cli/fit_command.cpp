@@ -86,6 +86,16 @@ BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& fla
                                        flags.data, fmt::join(known, ", ")));
 }
 
+// As the reader does, before samples are left out.
+void warn_of_one_incidence(BrdfMeasurement& measurement) {
+  constexpr double same = 1e-3;
+  const double first = measurement.samples.front().theta_i;
+  const auto differs = [&](const BrdfSample& s) { return std::abs(s.theta_i - first) > same; };
+  if (std::any_of(measurement.samples.begin(), measurement.samples.end(), differs)) return;
+  measurement.warnings.push_back(
+      fmt::format("only one angle of incidence, {:.6g} deg: what changes with it is not determined", first / degree));
+}
+
 // Only the samples at these angles of incidence.
 void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
   if (words.empty()) return;
@@ -94,8 +104,9 @@ void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
     return std::none_of(angles.begin(), angles.end(),
                         [&](double deg) { return std::abs(s.theta_i - deg * degree) < 0.005 * degree; });
   };
-  std::erase_if(measurement.samples, is_other);
+  const auto left_out = std::erase_if(measurement.samples, is_other);
   if (measurement.samples.empty()) throw InputError(fmt::format("--incidence: no samples at {} deg", words));
+  if (left_out > 0) warn_of_one_incidence(measurement);
 }
 
 BrdfMeasurement read(const Flags& flags) {
@@ -116,6 +127,9 @@ void check_output(const Flags& flags) {
   const std::string extension = fs::path(flags.material).extension().string();
   if (extension != ".yaml" && extension != ".yml")
     throw InputError(fmt::format("--output: expected a file that ends in .yaml, found '{}'", flags.material));
+  const fs::path folder = fs::path(flags.material).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw InputError(fmt::format("--output: no such folder: '{}'", folder.string()));
 }
 
 void run(Flags& flags, const Common& common) {

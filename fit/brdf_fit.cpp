@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/compensated_sum.h"
 #include "base/input_error.h"
@@ -15,14 +16,24 @@
 namespace lrcs {
 namespace {
 
-void require_enough(const BrdfMeasurement& measurement, const BrdfForm& form, Residual residual) {
-  if (measurement.samples.size() < form.parameters.size())
-    throw InputError(fmt::format("{}: {} samples, but {} has {} parameters", measurement.name,
-                                 measurement.samples.size(), form.name, form.parameters.size()));
+// A sample of weight 0 says nothing, not even that it is there.
+std::vector<BrdfSample> weighed(const std::vector<BrdfSample>& samples) {
+  std::vector<BrdfSample> some;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(some),
+               [](const BrdfSample& s) { return s.weight > 0.0; });
+  return some;
+}
+
+void require_enough(const std::string& name, const std::vector<BrdfSample>& samples, const BrdfForm& form,
+                    Residual residual) {
+  if (samples.size() < form.parameters.size())
+    throw InputError(fmt::format("{}: {} samples, but {} has {} parameters", name, samples.size(), form.name,
+                                 form.parameters.size()));
+  if (std::none_of(samples.begin(), samples.end(), [](const BrdfSample& s) { return s.f_r > 0.0; }))
+    throw InputError(fmt::format("{}: f_r is 0 in all {} samples that count, nothing to fit", name, samples.size()));
   if (residual == Residual::linear) return;
-  for (const BrdfSample& s : measurement.samples)
-    if (!(s.f_r > 0.0))
-      throw InputError({measurement.name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
+  for (const BrdfSample& s : samples)
+    if (!(s.f_r > 0.0)) throw InputError({name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
 }
 
 // Evenly through the file, at most `count`.
@@ -34,15 +45,40 @@ std::vector<BrdfSample> thinned(const std::vector<BrdfSample>& samples, std::siz
   return few;
 }
 
+Polished least_squares(std::string_view form, const std::vector<BrdfSample>& samples, const FitOptions& options);
+
 // Five parameters with the empirical shadowing constants are a place among nine.
-std::vector<std::vector<double>> contained_fits(std::string_view form, const std::vector<BrdfSample>& samples,
-                                                const FitOptions& options) {
+std::vector<Polished> contained_fits(std::string_view form, const std::vector<BrdfSample>& samples,
+                                     const FitOptions& options) {
   if (form != forms::NineParameterForm::name) return {};
-  const auto five = fit_problem(forms::FiveParameterForm::name, 180, samples, options.residual);
-  auto start = search(*five, options).parameters;
+  Polished five = least_squares(forms::FiveParameterForm::name, samples, options);
   const WuParameters<double> empirical;
-  start.insert(start.end(), {empirical.sigma_p, empirical.sigma_r, empirical.u_p, empirical.v_p});
-  return {start};
+  five.parameters.insert(five.parameters.end(), {empirical.sigma_p, empirical.sigma_r, empirical.u_p, empirical.v_p});
+  return {five};
+}
+
+// Sought among few of the samples, polished with all. A contained fit is polished with all in any case: few samples may
+// prefer another place, where all have larger squares.
+Polished least_squares(std::string_view form, const std::vector<BrdfSample>& samples, const FitOptions& options) {
+  const auto contained = contained_fits(form, samples, options);
+  std::vector<std::vector<double>> starts;
+  for (const Polished& fit : contained) starts.push_back(fit.parameters);
+  const auto few = thinned(samples, static_cast<std::size_t>(options.search_rows));
+  const Polished sought = search(*fit_problem(form, 180, few, options.residual), options, starts);
+  starts.push_back(sought.parameters);
+  int evaluations = sought.evaluations;
+  for (const Polished& fit : contained) evaluations += fit.evaluations;
+
+  const auto problem = fit_problem(form, 180, samples, options.residual);
+  Polished best;
+  for (auto start = starts.rbegin(); start != starts.rend(); ++start) {
+    const Polished down = descend(*problem, *start, {});
+    const Polished end = polish(*problem, down.parameters);
+    evaluations += down.evaluations + end.evaluations;
+    if (best.parameters.empty() || end.squares < best.squares) best = end;
+  }
+  best.evaluations = evaluations;
+  return best;
 }
 
 double rms_logarithm(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
@@ -91,23 +127,21 @@ double norm_e(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
 
 BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name, const FitOptions& options) {
   const BrdfForm& form = *find_brdf_form(form_name);
-  require_enough(measurement, form, options.residual);
-  const auto few = thinned(measurement.samples, static_cast<std::size_t>(options.search_rows));
-  const auto sought =
-      search(*fit_problem(form_name, 180, few, options.residual), options, contained_fits(form_name, few, options));
-  const auto problem = fit_problem(form_name, 180, measurement.samples, options.residual);
-  const Polished found = polish(*problem, descend(*problem, sought.parameters, {}).parameters);
+  const auto samples = weighed(measurement.samples);
+  require_enough(measurement.name, samples, form, options.residual);
+  const Polished found = least_squares(form_name, samples, options);
+  const auto problem = fit_problem(form_name, 180, samples, options.residual);
 
   BrdfFit fit;
   fit.form = form.name;
   fit.material = {measurement.name, form.make(found.parameters, 180), measurement.wavelength, ""};
   set_parameters(fit, *problem, found.parameters);
-  fit.e_percent = norm_e(fit.material.brdf, measurement.samples);
-  fit.rms_logarithm = rms_logarithm(fit.material.brdf, measurement.samples);
-  fit.samples = measurement.samples.size();
+  fit.e_percent = norm_e(fit.material.brdf, samples);
+  fit.rms_logarithm = rms_logarithm(fit.material.brdf, samples);
+  fit.samples = samples.size();
   const auto n = static_cast<double>(fit.samples);
   fit.criterion = n * std::log(found.squares / n) + static_cast<double>(form.parameters.size()) * std::log(n);
-  fit.evaluations = sought.evaluations + found.evaluations;
+  fit.evaluations = found.evaluations;
   fit.seed = options.gsaa.seed;
   fit.converged = found.converged;
   fit.status = status_of(fit);

@@ -17,6 +17,7 @@ using Eigen::Index;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double widest = 0.5;            // half an interval over the value
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
+constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
 // The residuals' derivatives in those parameters that are not at an end, columns of length 1.
@@ -118,7 +119,7 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
   for (Index j = 0; j < static_cast<Index>(l.free.size()); ++j) {
     ParameterError95& error = result.parameters[l.free[j]];
     const double value = parameters[l.free[j]];
-    if (inverse.blind[j] > 1e-6) {
+    if (inverse.blind[j] > most_blind) {
       error.why_not = "the data do not tell it from others";
       continue;
     }
@@ -138,9 +139,11 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
       error.half_width *= correction;
     }
     error.determined = error.why_not.empty();
-    for (Index i = 0; i < static_cast<Index>(l.free.size()); ++i) {
+    for (Index i = 0; i < j; ++i) {
       const double scale = std::sqrt(covariance(i, i) * covariance(j, j));
-      if (scale > 0.0) result.correlation(l.free[i], l.free[j]) = i == j ? 1.0 : covariance(i, j) / scale;
+      if (!(scale > 0.0) || inverse.blind[i] > most_blind) continue;
+      const double r = std::clamp(covariance(i, j) / scale, -1.0, 1.0);
+      result.correlation(l.free[i], l.free[j]) = result.correlation(l.free[j], l.free[i]) = r;
     }
   }
   return result;

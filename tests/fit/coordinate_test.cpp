@@ -43,7 +43,9 @@ TYPED_TEST(Coordinate, TellsTheInsideFromTheEnds) {
     const auto values = random_parameters<TypeParam>(random);
     for (std::size_t k = 0; k < values.size(); ++k) {
       const FormParameter& p = TypeParam::parameters[k];
-      if (values[k] > p.least && values[k] < p.most) EXPECT_FALSE(is_at_end(p, values[k])) << p.name << values[k];
+      if (values[k] > p.least && values[k] < p.most) {
+        EXPECT_FALSE(is_at_end(p, values[k])) << p.name << values[k];
+      }
     }
   }
 }

@@ -80,8 +80,12 @@ TYPED_TEST(FitProblemOf, HasLinearParametersThatNonNegativeLeastSquaresAskFor) {
       const Eigen::VectorXd column = jacobian.col(static_cast<Eigen::Index>(k));
       const double gradient = column.dot(residual) / (column.norm() * (1.0 + residual.norm()));
       constexpr double rounding = 1e-9;
-      if (place[k] > 0.0) EXPECT_LE(gradient, rounding) << p.name;
-      if (place[k] < p.most) EXPECT_GE(gradient, -rounding) << p.name;
+      if (place[k] > 0.0) {
+        EXPECT_LE(gradient, rounding) << p.name;
+      }
+      if (place[k] < p.most) {
+        EXPECT_GE(gradient, -rounding) << p.name;
+      }
     }
   }
 }

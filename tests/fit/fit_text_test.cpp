@@ -67,8 +67,9 @@ TEST(FitJson, HoldsTheKeysOfTheContract) {
       for (const std::string& name : form.parameters) {
         ASSERT_TRUE(json["parameters"].contains(name)) << name;
         expect_parameter(json["parameters"][name]);
-        if (!json["parameters"][name]["determined"].get<bool>())
+        if (!json["parameters"][name]["determined"].get<bool>()) {
           EXPECT_NE(json["status"].get<std::string>().find(name), std::string::npos);
+        }
       }
       expect_correlation(json["correlation"], form.parameters.size());
       EXPECT_EQ(text.find("nan"), std::string::npos);
@@ -100,7 +101,9 @@ TEST(FitText, NamesEveryParameterAndWhatIsNotDetermined) {
   const std::string text = fit_text(fit);
   for (const FittedParameter& p : fit.parameters) {
     EXPECT_NE(text.find("\n" + p.name + " "), std::string::npos) << text;
-    if (!p.determined) EXPECT_NE(text.find("not determined: " + p.why_not), std::string::npos) << p.name;
+    if (!p.determined) {
+      EXPECT_NE(text.find("not determined: " + p.why_not), std::string::npos) << p.name;
+    }
   }
   EXPECT_NE(text.find("1.06 um"), std::string::npos) << text;
 }

@@ -62,7 +62,9 @@ TEST(Gsaa, GivesTheBestEverFirstAndTheOthersInOrder) {
   EXPECT_EQ(candidates.front().error, best);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     EXPECT_EQ(candidates[k].error, rastrigin(candidates[k].place));
-    if (k > 0) EXPECT_LE(candidates[k - 1].error, candidates[k].error);
+    if (k > 0) {
+      EXPECT_LE(candidates[k - 1].error, candidates[k].error);
+    }
   }
 }
 
