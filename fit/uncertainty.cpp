@@ -16,6 +16,7 @@ namespace {
 using Eigen::Index;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double widest = 0.5;            // half an interval over the value
+constexpr double narrow = 1e-6;           // the same: below, no curve shows, and of clean data the rise is rounding
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
 constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
@@ -125,15 +126,15 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
     }
     error.standard_error = std::sqrt(covariance(j, j)) / l.length[j];
     error.half_width = t * error.standard_error;
-    const double up = rise_ratio(problem, parameters, l, inverse.matrix, j, error.half_width);
-    const double down = rise_ratio(problem, parameters, l, inverse.matrix, j, -error.half_width);
-    if (error.half_width > widest * std::abs(value))
+    const bool is_narrow = error.half_width <= narrow * std::abs(value);
+    const double up = is_narrow ? 1.0 : rise_ratio(problem, parameters, l, inverse.matrix, j, error.half_width);
+    const double down = is_narrow ? 1.0 : rise_ratio(problem, parameters, l, inverse.matrix, j, -error.half_width);
+    if (error.half_width > widest * std::abs(value)) {
       error.why_not = "its 95 % interval is wider than half its value";
-    else if (error.half_width > 0.0 && !(is_honest(up) && is_honest(down)))
+    } else if (!is_honest(up) || !is_honest(down)) {
       error.why_not = "the error does not rise evenly around it";
-    else
+    } else {
       error.why_not.clear();
-    if (error.half_width > 0.0 && error.why_not.empty()) {
       const double correction = 0.5 * (1.0 / std::sqrt(up) + 1.0 / std::sqrt(down));
       error.standard_error *= correction;
       error.half_width *= correction;

@@ -43,6 +43,17 @@ TEST(BrdfFit, OfCleanDataIsExactWithFiveParameters) {
     }
 }
 
+TEST(BrdfFit, OfCleanDataDeterminesEveryParameterThatChangesThem) {
+  for (const char* name : {"metal-skin-5p", "painted-steel-5p"}) {
+    const BrdfFit fit = fit_brdf(goniometer_data(published(name)), "five_parameter", quick());
+    for (const FittedParameter& p : fit.parameters) {
+      EXPECT_TRUE(p.determined) << name << " " << p.name << ": " << p.why_not;
+      EXPECT_LE(p.standard_error, 1e-5 * std::abs(p.value)) << name << " " << p.name;
+    }
+    EXPECT_EQ(fit.status, "converged");
+  }
+}
+
 TEST(BrdfFit, OfCleanDataIsExactWithNineParameters) {
   for (const Material& material : material_library())
     for (std::uint64_t seed = 1; seed <= 2; ++seed)
@@ -132,6 +143,15 @@ TEST(BrdfFit, WithNineParametersIsNoWorseThanWithFiveEvenIfTheSearchSeesFewSampl
               fit_brdf(data, "five_parameter", options).e_percent * (1.0 + 1e-9))
         << seed;
   }
+}
+
+TEST(BrdfFit, CountsTheEvaluationsOfTheFitThatItContains) {
+  const auto data = goniometer_data(published("painted-steel-5p"), 0.03, 3);
+  FitOptions least;
+  least.starts = least.neighbours = least.gsaa.generations = 0;
+  const int five = fit_brdf(data, "five_parameter", least).evaluations;
+  EXPECT_GT(five, least.gsaa.population);
+  EXPECT_GT(fit_brdf(data, "nine_parameter", least).evaluations, five + least.gsaa.population);
 }
 
 TEST(BrdfFit, LooksAtAllSamplesInTheEnd) {

@@ -124,6 +124,17 @@ TEST(Uncertainty, OfAParameterAtTheEndOfItsRangeIsInfinite) {
   EXPECT_TRUE(std::isfinite(told.parameters[1].standard_error));
 }
 
+TEST(Uncertainty, OfAsManySamplesAsParametersDeterminesNothing) {
+  const auto all = goniometer_samples(published("metal-skin-5p"), 0.03, 18);
+  const std::vector<BrdfSample> samples{all[10], all[55], all[95], all[120], all[150]};
+  const auto problem = fit_problem("five_parameter", 180, samples, Residual::linear);
+  const auto found = descend(*problem, truth_of(published("metal-skin-5p")), {}).parameters;
+  for (const auto& p : uncertainty(*problem, found).parameters) {
+    EXPECT_FALSE(p.determined);
+    EXPECT_FALSE(std::isfinite(p.half_width));
+  }
+}
+
 // Three directions hold three numbers: five parameters have two directions too many.
 TEST(Uncertainty, OfDataThatLackRankIsSymmetricAndWithoutNan) {
   const auto all = goniometer_samples(published("metal-skin-5p"), 0.03, 17);
