@@ -228,9 +228,14 @@ TEST(BadFitUsage, IsOneLineThatSaysWhatWasExpectedAndNothingIsWritten) {
       {{"data.csv", "--azimuth-of-specular", "90"}, "--azimuth-of-specular: expected 180 or 0, found '90'"},
       {{"data.csv", "--azimuth-of-specular", "0"}, "data.csv:"},  // the file says 180
       {{"zero.csv", "--residual", "log"}, "zero.csv:3: expected f_r > 0 for logarithmic residuals, found 0"},
-      {{"data.csv", "--population", "1"}, "--population: "},
-      {{"data.csv", "--cooling", "0"}, "--cooling: "},
-      {{"data.csv", "--seed", "-1"}, "--seed: "},
+      {{"data.csv", "--population", "1"}, "--population: expected a whole number, 2 to 100000, found '1'"},
+      {{"data.csv", "--starts", "1.5"}, "--starts: expected a whole number, 0 to 100000, found '1.5'"},
+      {{"data.csv", "--cooling", "0"}, "--cooling: expected a number, 1e-6 to 1, found '0'"},
+      {{"data.csv", "--cooling", "nan"}, "--cooling: expected a number, 1e-6 to 1, found 'nan'"},
+      {{"data.csv", "--crossover", "nan"}, "--crossover: expected a number, 0 to 1, found 'nan'"},
+      {{"data.csv", "--temperature", "inf"}, "--temperature: expected a number, 1e-6 to 1e6, found 'inf'"},
+      {{"data.csv", "--seed", "-1"}, "--seed: expected a whole number below 2^64, found '-1'"},
+      {{"data.csv", "--seed", "99999999999999999999"}, "--seed: expected a whole number below 2^64, found '9999"},
   };
   for (const BadWords& wrong : bad) {
     Words words{"fit"};
