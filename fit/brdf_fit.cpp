@@ -16,6 +16,9 @@
 namespace lrcs {
 namespace {
 
+constexpr double least_f_r = 1e-150;  // [1/sr] the square of a smaller one is 0
+constexpr double exact = 1e-24;       // squares below are rounding
+
 // A sample of weight 0 says nothing, not even that it is there.
 std::vector<BrdfSample> weighed(const std::vector<BrdfSample>& samples) {
   std::vector<BrdfSample> some;
@@ -29,8 +32,9 @@ void require_enough(const std::string& name, const std::vector<BrdfSample>& samp
   if (samples.size() < form.parameters.size())
     throw InputError(fmt::format("{}: {} samples, but {} has {} parameters", name, samples.size(), form.name,
                                  form.parameters.size()));
-  if (std::none_of(samples.begin(), samples.end(), [](const BrdfSample& s) { return s.f_r > 0.0; }))
-    throw InputError(fmt::format("{}: f_r is 0 in all {} samples that count, nothing to fit", name, samples.size()));
+  if (std::none_of(samples.begin(), samples.end(), [](const BrdfSample& s) { return s.f_r > least_f_r; }))
+    throw InputError(fmt::format("{}: no f_r above {} in the {} samples that count, nothing to fit", name, least_f_r,
+                                 samples.size()));
   if (residual == Residual::linear) return;
   for (const BrdfSample& s : samples)
     if (!(s.f_r > 0.0)) throw InputError({name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
@@ -140,7 +144,8 @@ BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name,
   fit.rms_logarithm = rms_logarithm(fit.material.brdf, samples);
   fit.samples = samples.size();
   const auto n = static_cast<double>(fit.samples);
-  fit.criterion = n * std::log(found.squares / n) + static_cast<double>(form.parameters.size()) * std::log(n);
+  fit.criterion =
+      n * std::log(std::max(found.squares, exact) / n) + static_cast<double>(form.parameters.size()) * std::log(n);
   fit.evaluations = found.evaluations;
   fit.seed = options.gsaa.seed;
   fit.converged = found.converged;

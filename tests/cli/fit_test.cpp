@@ -113,8 +113,17 @@ TEST(Fit, OfAllModelsWritesTheOneThatMadeTheData) {
       run_lrcs(with({"fit", "data.csv", "--model", "all", "-o", "fit.yaml", "-q"}, quickly), {folder.path()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(form_of(folder.read("fit.yaml")), "model: phong");
+  EXPECT_EQ(facts(folder)["model"], "phong");
   for (const BrdfForm& form : brdf_forms())
     EXPECT_NE(outcome.out.find("\n" + form.name + " "), std::string::npos) << form.name;
+}
+
+TEST(Fit, OfAllModelsWritesFiveParametersWhereNineFitNoBetter) {
+  const ScratchFolder folder;
+  folder.write("data.csv", made_data("metal-skin-5p"));
+  ASSERT_EQ(run_lrcs(with({"fit", "data.csv", "-m", "all", "-o", "fit.yaml", "-q"}, quickly), {folder.path()}).status,
+            0);
+  EXPECT_EQ(form_of(folder.read("fit.yaml")), "model: five_parameter");
 }
 
 TEST(Fit, WritesAMaterialThatSceneAndTableTake) {
@@ -222,7 +231,7 @@ TEST(BadFitUsage, IsOneLineThatSaysWhatWasExpectedAndNothingIsWritten) {
       {{"data.csv", "--wavelength", "1.55 um"}, "--wavelength: data.csv was measured at 1.06 um, not at 1.55 um"},
       {{"data.csv", "--wavelength", "1.55"}, "--wavelength: expected a positive length with its unit"},
       {{"data.csv", "--incidence", "20"}, "--incidence: no samples at 20 deg"},
-      {{"dark.csv", "--incidence", "0", "--model", "lambert"}, "dark.csv: "},
+      {{"dark.csv", "--incidence", "0", "--model", "lambert"}, "dark.csv: no f_r above 1e-150 in the 2 samples"},
       {{"data.csv", "--residual", "lg"}, "--residual: expected linear or log, found 'lg'"},
       {{"data.csv", "--value", "cosine"}, "--value: expected brdf or brdf_cosine, found 'cosine'"},
       {{"data.csv", "--azimuth-of-specular", "90"}, "--azimuth-of-specular: expected 180 or 0, found '90'"},
