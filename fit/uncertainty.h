@@ -23,9 +23,10 @@ struct Uncertainty {
 // value: standard errors of the linearised model, noise having a constant part and one proportional to f_r, both found
 //   from the residuals; corrected by how the squares rise where the parameter is held at the ends of its interval and
 //   the others are fitted again; intervals by Student's distribution.
-// A parameter is determined where it is not at an end of its range, the interval is at most half the value to each side,
-// and the squares rise at its ends by what the linearised model says within a factor of 1.8 (an interval below 1e-6 of
-// the value is too narrow to tell, and to matter: so are those of data without noise).
+// A parameter is determined where it is not at an end of its range, the interval is at most half the value to each
+// side, and the squares rise at its ends by what the linearised model says within a factor of 1.8 (an interval below
+// 1e-6 of the value is too narrow to tell, and to matter: so are those of data without noise).
+//
 // check: coverage of the intervals in tests/fit/uncertainty_test.cpp.
 [[nodiscard]] Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters);
 
