@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -87,6 +89,16 @@ BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& fla
                                        flags.data, fmt::join(known, ", ")));
 }
 
+// As the reader does, before samples are left out.
+void warn_of_one_incidence(BrdfMeasurement& measurement) {
+  constexpr double same = 1e-3;
+  const double first = measurement.samples.front().theta_i;
+  const auto differs = [&](const BrdfSample& s) { return std::abs(s.theta_i - first) > same; };
+  if (std::any_of(measurement.samples.begin(), measurement.samples.end(), differs)) return;
+  measurement.warnings.push_back(
+      fmt::format("only one angle of incidence, {:.6g} deg: what changes with it is not determined", first / degree));
+}
+
 // Only the samples at these angles of incidence.
 void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
   if (words.empty()) return;
@@ -95,8 +107,9 @@ void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
     return std::none_of(angles.begin(), angles.end(),
                         [&](double deg) { return std::abs(s.theta_i - deg * degree) < 0.005 * degree; });
   };
-  std::erase_if(measurement.samples, is_other);
+  const auto left_out = std::erase_if(measurement.samples, is_other);
   if (measurement.samples.empty()) throw InputError(fmt::format("--incidence: no samples at {} deg", words));
+  if (left_out > 0) warn_of_one_incidence(measurement);
 }
 
 BrdfMeasurement read(const Flags& flags) {
@@ -122,6 +135,9 @@ void check_output(const Flags& flags) {
   const std::string extension = fs::path(flags.material).extension().string();
   if (extension != ".yaml" && extension != ".yml")
     throw InputError(fmt::format("--output: expected a file that ends in .yaml, found '{}'", flags.material));
+  const fs::path folder = fs::path(flags.material).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw InputError(fmt::format("--output: no such folder: '{}'", folder.string()));
 }
 
 void run(Flags& flags, const Common& common) {
@@ -156,33 +172,47 @@ void run(Flags& flags, const Common& common) {
   if (!common.quiet) fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
 }
 
+// A number in [least, most]. CLI11's own lets NaN through and a seed wrap.
+template <class T>
+CLI::Validator number_in(T least, T most, const std::string& domain) {
+  const auto complaint = [=](const std::string& word) {
+    T x{};
+    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), x);
+    const bool good = wrong == std::errc{} && end == word.data() + word.size() && x >= least && x <= most;
+    return good ? std::string() : fmt::format("expected {}, found '{}'", domain, word);
+  };
+  return {complaint, domain};
+}
+
 void add_search_flags(CLI::App& verb, FitOptions& fit) {
   GsaaOptions& g = fit.gsaa;
   const std::string group = "Search";
-  verb.add_option("--seed", g.seed, "Seed of the search (default 1)")->group(group);
+  verb.add_option("--seed", g.seed, "Seed of the search (default 1)")
+      ->check(number_in<std::uint64_t>(0, ~0ULL, "a whole number below 2^64"))
+      ->group(group);
   verb.add_option("--population", g.population, "Individuals of the annealed population (default 64)")
-      ->check(CLI::Range(2, 100000))
+      ->check(number_in(2, 100000, "a whole number, 2 to 100000"))
       ->group(group);
   verb.add_option("--generations", g.generations, "Generations (default 24)")
-      ->check(CLI::Range(0, 100000))
+      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
       ->group(group);
   verb.add_option("--crossover", g.crossover, "Probability of two parents (default 0.8)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0.0, 1.0, "a number, 0 to 1"))
       ->group(group);
   verb.add_option("--mutation", g.mutation, "Probability that a coordinate is moved (default 0.25)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0.0, 1.0, "a number, 0 to 1"))
       ->group(group);
   verb.add_option("--temperature", g.temperature, "First temperature, a relative rise of the error (default 0.3)")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(1e-6, 1e6, "a number, 1e-6 to 1e6"))
       ->group(group);
   verb.add_option("--cooling", g.cooling, "Temperature of a generation over the one before (default 0.92)")
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(number_in(1e-6, 1.0, "a number, 1e-6 to 1"))
       ->group(group);
   verb.add_option("--starts", fit.starts, "Polishes from anywhere (default 32)")
-      ->check(CLI::Range(0, 100000))
+      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
       ->group(group);
   verb.add_option("--neighbours", fit.neighbours, "Polishes around the best, a round (default 24)")
-      ->check(CLI::Range(0, 100000))
+      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
       ->group(group);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/compensated_sum.h"
 #include "base/input_error.h"
@@ -15,14 +16,28 @@
 namespace lrcs {
 namespace {
 
-void require_enough(const BrdfMeasurement& measurement, const BrdfForm& form, Residual residual) {
-  if (measurement.samples.size() < form.parameters.size())
-    throw InputError(fmt::format("{}: {} samples, but {} has {} parameters", measurement.name,
-                                 measurement.samples.size(), form.name, form.parameters.size()));
+constexpr double least_f_r = 1e-150;  // [1/sr] the square of a smaller one is 0
+constexpr double exact = 1e-24;       // squares below are rounding
+
+// A sample of weight 0 says nothing, not even that it is there.
+std::vector<BrdfSample> weighed(const std::vector<BrdfSample>& samples) {
+  std::vector<BrdfSample> some;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(some),
+               [](const BrdfSample& s) { return s.weight > 0.0; });
+  return some;
+}
+
+void require_enough(const std::string& name, const std::vector<BrdfSample>& samples, const BrdfForm& form,
+                    Residual residual) {
+  if (samples.size() < form.parameters.size())
+    throw InputError(fmt::format("{}: {} samples, but {} has {} parameters", name, samples.size(), form.name,
+                                 form.parameters.size()));
+  if (std::none_of(samples.begin(), samples.end(), [](const BrdfSample& s) { return s.f_r > least_f_r; }))
+    throw InputError(fmt::format("{}: no f_r above {} in the {} samples that count, nothing to fit", name, least_f_r,
+                                 samples.size()));
   if (residual == Residual::linear) return;
-  for (const BrdfSample& s : measurement.samples)
-    if (!(s.f_r > 0.0))
-      throw InputError({measurement.name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
+  for (const BrdfSample& s : samples)
+    if (!(s.f_r > 0.0)) throw InputError({name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
 }
 
 // Evenly through the file, at most `count`.
@@ -34,35 +49,59 @@ std::vector<BrdfSample> thinned(const std::vector<BrdfSample>& samples, std::siz
   return few;
 }
 
+Found least_squares(const FitProblem& problem, std::string_view form, const std::vector<BrdfSample>& samples,
+                    const FitOptions& options);
+
 // Five parameters with the empirical shadowing constants are a place among nine.
-std::vector<std::vector<double>> contained_fits(std::string_view form, const BrdfMeasurement& measurement,
-                                                const FitOptions& options) {
+std::vector<Polished> contained_fits(std::string_view form, const std::vector<BrdfSample>& samples,
+                                     const FitOptions& options) {
   if (form != forms::NineParameterForm::name) return {};
-  const BrdfFit five = fit_brdf(measurement, forms::FiveParameterForm::name, options);
-  std::vector<double> start;
-  for (const FittedParameter& p : five.parameters) start.push_back(p.value);
+  const auto name = forms::FiveParameterForm::name;
+  Polished five = least_squares(*fit_problem(name, 180, samples, options.residual), name, samples, options);
   const WuParameters<double> empirical;
-  start.insert(start.end(), {empirical.sigma_p, empirical.sigma_r, empirical.u_p, empirical.v_p});
-  return {start};
+  five.parameters.insert(five.parameters.end(), {empirical.sigma_p, empirical.sigma_r, empirical.u_p, empirical.v_p});
+  return {five};
 }
 
-// The search's result; where it saw only some of the samples, what the best of its ends become with all of them.
-Found found_in(const FitProblem& problem, const BrdfMeasurement& measurement, std::string_view form,
-               const FitOptions& options) {
-  const auto starts = contained_fits(form, measurement, options);
-  const auto most = static_cast<std::size_t>(options.search_rows);
-  if (measurement.samples.size() <= most) return search(problem, options, starts);
-  const auto few = fit_problem(form, 180, thinned(measurement.samples, most), options.residual);
-  Found found = search(*few, options, starts);
+// What was found with few of the samples, seen by all: the best of the ends, and the starts, descend once more. Few may
+// prefer another place, where all have larger squares.
+void descend_with_all(const FitProblem& problem, const std::vector<std::vector<double>>& starts, Found& found) {
   constexpr std::size_t most_ends = 8;
+  constexpr Patience roughly{60, 1e-8};
   std::vector<std::vector<double>> ends = starts;
   for (std::size_t k = 0; k < std::min(most_ends, found.rivals.size()); ++k) ends.push_back(found.rivals[k].parameters);
   found.rivals.clear();
-  constexpr Patience roughly{60, 1e-8};
-  for (const auto& end : ends) found.rivals.push_back(descend(problem, end, roughly));
+  for (const auto& end : ends) {
+    found.rivals.push_back(descend(problem, end, roughly));
+    found.evaluations += found.rivals.back().evaluations;
+  }
   std::stable_sort(found.rivals.begin(), found.rivals.end(),
                    [](const Polished& a, const Polished& b) { return a.squares < b.squares; });
-  found.parameters = descend(problem, found.rivals.front().parameters, {}).parameters;
+  const Polished best = descend(problem, found.rivals.front().parameters, {});
+  found.parameters = best.parameters;
+  found.evaluations += best.evaluations;
+}
+
+// Sought among few of the samples, polished with all.
+Found least_squares(const FitProblem& problem, std::string_view form, const std::vector<BrdfSample>& samples,
+                    const FitOptions& options) {
+  const auto contained = contained_fits(form, samples, options);
+  std::vector<std::vector<double>> starts;
+  for (const Polished& fit : contained) starts.push_back(fit.parameters);
+  const auto most = static_cast<std::size_t>(options.search_rows);
+  Found found;
+  if (samples.size() <= most) {
+    found = search(problem, options, starts);
+  } else {
+    found = search(*fit_problem(form, 180, thinned(samples, most), options.residual), options, starts);
+    descend_with_all(problem, starts, found);
+  }
+  const Polished end = polish(problem, found.parameters);
+  found.parameters = end.parameters;
+  found.squares = end.squares;
+  found.converged = end.converged;
+  found.evaluations += end.evaluations;
+  for (const Polished& fit : contained) found.evaluations += fit.evaluations;
   return found;
 }
 
@@ -113,21 +152,22 @@ double norm_e(const Brdf& brdf, const std::vector<BrdfSample>& samples) {
 
 BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name, const FitOptions& options) {
   const BrdfForm& form = *find_brdf_form(form_name);
-  require_enough(measurement, form, options.residual);
-  const auto problem = fit_problem(form_name, 180, measurement.samples, options.residual);
-  const Found sought = found_in(*problem, measurement, form_name, options);
-  const Polished found = polish(*problem, sought.parameters);
+  const auto samples = weighed(measurement.samples);
+  require_enough(measurement.name, samples, form, options.residual);
+  const auto problem = fit_problem(form_name, 180, samples, options.residual);
+  const Found found = least_squares(*problem, form_name, samples, options);
 
   BrdfFit fit;
   fit.form = form.name;
   fit.material = {measurement.name, form.make(found.parameters, 180), measurement.wavelength, ""};
-  set_parameters(fit, *problem, found.parameters, sought.rivals);
-  fit.e_percent = norm_e(fit.material.brdf, measurement.samples);
-  fit.rms_logarithm = rms_logarithm(fit.material.brdf, measurement.samples);
-  fit.samples = measurement.samples.size();
+  set_parameters(fit, *problem, found.parameters, found.rivals);
+  fit.e_percent = norm_e(fit.material.brdf, samples);
+  fit.rms_logarithm = rms_logarithm(fit.material.brdf, samples);
+  fit.samples = samples.size();
   const auto n = static_cast<double>(fit.samples);
-  fit.criterion = n * std::log(found.squares / n) + static_cast<double>(form.parameters.size()) * std::log(n);
-  fit.evaluations = sought.evaluations + found.evaluations;
+  fit.criterion =
+      n * std::log(std::max(found.squares, exact) / n) + static_cast<double>(form.parameters.size()) * std::log(n);
+  fit.evaluations = found.evaluations;
   fit.seed = options.gsaa.seed;
   fit.converged = found.converged;
   fit.status = status_of(fit);

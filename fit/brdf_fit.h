@@ -28,8 +28,9 @@ struct BrdfFit {
   Eigen::MatrixXd correlation;  // [1] of the parameters' errors
   double e_percent = 0.0;       // the norm E [%]
   double rms_logarithm = 0.0;   // root mean square of ln(model/measured) where both are > 0 [1]
-  double criterion = 0.0;       // Bayes' information criterion: n ln(mean square) + parameters ln n; -inf where exact
-  std::size_t samples = 0;
+  double criterion =
+      0.0;  // Bayes' information criterion: n ln(mean square) + parameters ln n; squares below 1e-24 count as 1e-24
+  std::size_t samples = 0;  // of weight above 0
   int evaluations = 0;
   std::uint64_t seed = 0;
   bool converged = false;
@@ -42,11 +43,12 @@ struct BrdfFit {
 
 // The form's parameters for which the residuals of `options.residual` are least, anywhere in their ranges.
 // laws: the same bytes for the same seed on any thread count. A nine-parameter fit is at least as good as a
-// five-parameter
-//   one of the same data.
-// error: InputError that names the measurement: fewer samples than parameters, or a value of 0 under logarithmic
-//   residuals.
-// check: tests/fit/brdf_fit_test.cpp: truth without noise, and no polish of 1,000 anywhere is better.
+//   five-parameter one of the same data. A sample of weight 0 changes nothing.
+// error: InputError that names the measurement: fewer samples than parameters, no f_r above 0, or a value of 0 under
+//   logarithmic residuals.
+// check: tests/fit/brdf_fit_test.cpp: truth without noise; tests/fit/search_test.cpp: no descent of 100 from anywhere
+// is
+//   better.
 // source: docs/fitting.md.
 [[nodiscard]] BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form,
                                const FitOptions& options = {});

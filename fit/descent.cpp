@@ -18,7 +18,7 @@ class Descent {
       : problem_(problem), patience_(patience), held_(held), values_(start) {
     const auto parameters = problem.parameters();
     const auto size = static_cast<Index>(parameters.size());
-    place_.resize(size), low_.resize(size), high_.resize(size), slope_.resize(size);
+    place_.resize(size), low_.resize(size), high_.resize(size);
     for (Index k = 0; k < size; ++k) {
       const FormParameter& p = parameters[k];
       low_[k] = coordinate_of(p, p.least);
@@ -105,7 +105,7 @@ class Descent {
   const Patience& patience_;
   Index held_;
   std::vector<double> values_;
-  Eigen::VectorXd place_, low_, high_, slope_, residual_, gradient_, largest_;
+  Eigen::VectorXd place_, low_, high_, residual_, gradient_, largest_;
   Eigen::MatrixXd jacobian_, products_;
   double squares_ = 0.0, damping_ = 1e-3, growth_ = 2.0;
   int evaluations_ = 0;

@@ -114,7 +114,7 @@ std::string fit_json(const BrdfFit& fit, const BrdfMeasurement& measurement) {
                   {"wavelength_m", measurement.wavelength > 0.0 ? Json(measurement.wavelength) : Json(nullptr)},
                   {"azimuth_of_specular", 180},
                   {"version", version}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
 }
 
 }  // namespace lrcs

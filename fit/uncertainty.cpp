@@ -15,9 +15,10 @@ namespace {
 
 using Eigen::Index;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double exact = 1e-8;  // half an interval over the value: below, data and model agree as far as doubles tell
-constexpr double widest = 0.5;  // half an interval over the value
+constexpr double widest = 0.5;            // half an interval over the value
+constexpr double narrow = 1e-6;           // the same: below, no curve shows, and of clean data the rise is rounding
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
+constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
 // The residuals' derivatives in those parameters that are not at an end, columns of length 1.
@@ -97,10 +98,10 @@ class Judge {
   [[nodiscard]] ParameterError95 judge(Index j, double standard_error) const {
     ParameterError95 error{standard_error, t_ * standard_error, false, ""};
     const double value = parameters_[l_.free[j]];
-    if (inverse_.blind[j] > 1e-6) return {infinite, infinite, false, "the data do not tell it from others"};
+    if (inverse_.blind[j] > most_blind) return {infinite, infinite, false, "the data do not tell it from others"};
     if (error.half_width > widest * std::abs(value)) {
       error.why_not = "its 95 % interval is wider than half its value";
-    } else if (error.half_width > exact * std::abs(value)) {
+    } else if (error.half_width > narrow * std::abs(value)) {
       const double up = rise_ratio(j, error.half_width);
       const double down = rise_ratio(j, -error.half_width);
       if (is_honest(up) && is_honest(down)) {
@@ -134,7 +135,7 @@ class Judge {
   // Does another valley, as deep as chance can tell, have the parameter elsewhere?
   [[nodiscard]] bool has_rival(Index j, double half_width) const {
     const auto k = static_cast<std::size_t>(l_.free[j]);
-    const double apart = std::max(half_width, exact * std::abs(parameters_[k]));
+    const double apart = std::max(half_width, narrow * std::abs(parameters_[k]));
     return std::any_of(rivals_.begin(), rivals_.end(), [&](const Polished& r) {
       return r.squares <= deep_ && std::abs(r.parameters[k] - parameters_[k]) > apart;
     });
@@ -148,13 +149,15 @@ class Judge {
   double t_ = 0.0, deep_ = 0.0;
 };
 
-Eigen::MatrixXd correlation_of(const Linearised& l, const Eigen::MatrixXd& covariance, Index size) {
+Eigen::MatrixXd correlation_of(const Linearised& l, const Inverse& inverse, const Eigen::MatrixXd& covariance,
+                               Index size) {
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(size, size);
   for (Index j = 0; j < covariance.cols(); ++j)
     for (Index i = 0; i < j; ++i) {
       const double scale = std::sqrt(covariance(i, i) * covariance(j, j));
-      if (!(scale > 0.0)) continue;
-      correlation(l.free[i], l.free[j]) = correlation(l.free[j], l.free[i]) = covariance(i, j) / scale;
+      if (!(scale > 0.0) || std::max(inverse.blind[i], inverse.blind[j]) > most_blind) continue;
+      const double r = std::clamp(covariance(i, j) / scale, -1.0, 1.0);
+      correlation(l.free[i], l.free[j]) = correlation(l.free[j], l.free[i]) = r;
     }
   return correlation;
 }
@@ -179,7 +182,7 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
   const Judge judge(problem, parameters, l, inverse, rivals);
   for (Index j = 0; j < covariance.cols(); ++j)
     result.parameters[l.free[j]] = judge.judge(j, std::sqrt(covariance(j, j)) / l.length[j]);
-  result.correlation = correlation_of(l, covariance, size);
+  result.correlation = correlation_of(l, inverse, covariance, size);
   return result;
 }
 
