@@ -106,11 +106,14 @@ std::vector<Wrong> wrong_words() {
       {{"brdf", "lambert:0.5", "--step", "0.01", "--theta-i", "0:80:1"},
        "--step: expected a step > 0 deg that gives at most 100000 rows"},
       {{"brdf", "lambert:0.5", "--shadowing", "g.png"},
-       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert "
+       "reflectance=0.5"},
       {{"brdf", "metal-skin-5p", "--with", "lambert:0.5", "-o", "f.png", "--shadowing", "g.png"},
-       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+       "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert "
+       "reflectance=0.5"},
       {{"brdf", "lambert:0.5", "--surface-shadowing", "g.png"},
-       "--surface-shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert"},
+       "--surface-shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert "
+       "reflectance=0.5"},
       {{"brdf", "lambert:0.5", "--with", "metal-skin-5p"}, "--with: expected beside --output or --shadowing"},
       {{"brdf", "lambert:0.5", "--with"}, "--with: its value is missing (see lrcs brdf --help)"},
       {{"brdf", "lambert:0.5", "--with", "steel.yaml", "-o", "f.png"}, "material: no such file: 'steel.yaml'"},

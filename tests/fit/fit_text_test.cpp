@@ -52,7 +52,7 @@ void expect_parameter(const Json& entry) {
 TEST(FitJson, HoldsTheKeysOfTheContract) {
   auto bright = goniometer_samples(Lambert(1.0));
   for (BrdfSample& s : bright) s.f_r *= 2.0;
-  for (const auto& data : {goniometer_data(published("metal-skin-9p"), 0.03, 1), measurement_of(bright)})
+  for (const auto& data : {goniometer_data(published("metal-skin-9p"), 0.03, 1), at_1_06_um(bright)})
     for (const BrdfForm& form : brdf_forms()) {
       const std::string text = json_of(data, form.name.c_str());
       const Json json = Json::parse(text);

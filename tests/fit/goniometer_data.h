@@ -28,8 +28,14 @@ inline std::vector<BrdfSample> goniometer_samples(const Brdf& brdf, double noise
   return samples;
 }
 
+inline BrdfMeasurement at_1_06_um(std::vector<BrdfSample> samples) {
+  BrdfMeasurement data = measurement_of(std::move(samples));
+  data.wavelength = 1.06e-6;
+  return data;
+}
+
 inline BrdfMeasurement goniometer_data(const Brdf& brdf, double noise = 0.0, unsigned seed = 1) {
-  return measurement_of(goniometer_samples(brdf, noise, seed));
+  return at_1_06_um(goniometer_samples(brdf, noise, seed));
 }
 
 inline const Brdf& published(std::string_view name) {
