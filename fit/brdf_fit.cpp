@@ -87,6 +87,7 @@ Found least_squares(const FitProblem& problem, std::string_view form, const std:
                     const FitOptions& options) {
   const auto contained = contained_fits(form, samples, options);
   std::vector<std::vector<double>> starts;
+  starts.reserve(contained.size());
   for (const Polished& fit : contained) starts.push_back(fit.parameters);
   const auto most = static_cast<std::size_t>(options.search_rows);
   Found found;

@@ -84,6 +84,7 @@ std::string fit_text(const BrdfFit& fit) {
 
 std::string comparison_text(const std::vector<BrdfFit>& fits) {
   std::vector<const BrdfFit*> order;
+  order.reserve(fits.size());
   for (const BrdfFit& fit : fits) order.push_back(&fit);
   std::stable_sort(order.begin(), order.end(),
                    [](const BrdfFit* a, const BrdfFit* b) { return a->criterion < b->criterion; });

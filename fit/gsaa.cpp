@@ -58,11 +58,11 @@ class Annealing {
   }
 
   void generation(double temperature) {
-    for (std::size_t k = 0; k < population_.size(); ++k) {
-      Candidate child = offspring(population_[k], temperature);
+    for (Candidate& self : population_) {
+      Candidate child = offspring(self, temperature);
       judge(child);
       if (child.error < best_.error) best_ = child;
-      if (is_accepted(child.error, population_[k].error, temperature)) population_[k] = std::move(child);
+      if (is_accepted(child.error, self.error, temperature)) self = std::move(child);
     }
   }
 

@@ -14,10 +14,10 @@ double alone(const Eigen::VectorXd& column, const Eigen::VectorXd& target) {
 }  // namespace
 
 Eigen::Vector2d non_negative_pair(const Eigen::MatrixX2d& columns, const Eigen::VectorXd& target) {
-  const Eigen::Vector2d both = (columns.transpose() * columns).ldlt().solve(columns.transpose() * target);
+  Eigen::Vector2d both = (columns.transpose() * columns).ldlt().solve(columns.transpose() * target);
   if (both.allFinite() && both.minCoeff() >= 0.0) return both;
-  const Eigen::Vector2d first(alone(columns.col(0), target), 0.0);
-  const Eigen::Vector2d second(0.0, alone(columns.col(1), target));
+  Eigen::Vector2d first(alone(columns.col(0), target), 0.0);
+  Eigen::Vector2d second(0.0, alone(columns.col(1), target));
   return (columns * first - target).squaredNorm() <= (columns * second - target).squaredNorm() ? first : second;
 }
 
