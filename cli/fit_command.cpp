@@ -90,15 +90,6 @@ BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& fla
 }
 
 // As the reader does, before samples are left out.
-void warn_of_one_incidence(BrdfMeasurement& measurement) {
-  constexpr double same = 1e-3;
-  const double first = measurement.samples.front().theta_i;
-  const auto differs = [&](const BrdfSample& s) { return std::abs(s.theta_i - first) > same; };
-  if (std::any_of(measurement.samples.begin(), measurement.samples.end(), differs)) return;
-  measurement.warnings.push_back(
-      fmt::format("only one angle of incidence, {:.6g} deg: what changes with it is not determined", first / degree));
-}
-
 // Only the samples at these angles of incidence.
 void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
   if (words.empty()) return;
@@ -140,29 +131,45 @@ void check_output(const Flags& flags) {
     throw InputError(fmt::format("--output: no such folder: '{}'", folder.string()));
 }
 
+void say(const BrdfMeasurement& measurement, const Common& common) {
+  if (common.quiet) return;
+  if (common.verbose) {
+    fmt::print(stderr, "lrcs: {}: {}, {} samples\n", measurement.name, measurement.format, measurement.samples.size());
+    for (const auto& note : measurement.notes) fmt::print(stderr, "lrcs: note: {}\n", note);
+  }
+  for (const auto& warning : measurement.warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+}
+
+// Of several models those with no more parameters than there are samples that count.
+std::vector<BrdfFit> fitted(const std::vector<std::string>& models, const BrdfMeasurement& measurement,
+                            const FitOptions& options, const Common& common) {
+  const auto counts = [](const BrdfSample& s) { return s.weight > 0.0; };
+  const auto samples =
+      static_cast<std::size_t>(std::count_if(measurement.samples.begin(), measurement.samples.end(), counts));
+  std::vector<BrdfFit> fits;
+  ProgressBar bar(models.size(), "models", !common.quiet && models.size() > 1);
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const std::size_t parameters = find_brdf_form(models[k])->parameters.size();
+    if (models.size() == 1 || parameters <= std::max<std::size_t>(samples, 1))
+      fits.push_back(fit_brdf(measurement, models[k], options));
+    else if (!common.quiet)
+      fmt::print(stderr, "lrcs: warning: {} is left out: {} samples, {} parameters\n", models[k], samples, parameters);
+    bar.update(k + 1);
+  }
+  return fits;
+}
+
 void run(Flags& flags, const Common& common) {
   const auto models = models_of(flags.model);
   flags.fit.residual =
       one_of(flags.residual, "--residual", {"linear", "log"}) == "log" ? Residual::logarithmic : Residual::linear;
   check_output(flags);
   const BrdfMeasurement measurement = read(flags);
-  if (common.verbose && !common.quiet) {
-    fmt::print(stderr, "lrcs: {}: {}, {} samples\n", measurement.name, measurement.format, measurement.samples.size());
-    for (const auto& note : measurement.notes) fmt::print(stderr, "lrcs: note: {}\n", note);
-  }
-  if (!common.quiet)
-    for (const auto& warning : measurement.warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
-  std::vector<BrdfFit> fits;
-  {
-    ProgressBar bar(models.size(), "models", !common.quiet && models.size() > 1);
-    for (const std::string& model : models) {
-      fits.push_back(fit_brdf(measurement, model, flags.fit));
-      bar.update(fits.size());
-    }
-  }
+  say(measurement, common);
+  const auto fits = fitted(models, measurement, flags.fit, common);
   const BrdfFit& best = *std::min_element(fits.begin(), fits.end(),
                                           [](const BrdfFit& a, const BrdfFit& b) { return a.criterion < b.criterion; });
-  if (fits.size() > 1) fmt::print("{}\n", comparison_text(fits));
+  if (models.size() > 1) fmt::print("{}\n", comparison_text(fits));
   fmt::print("{}", fit_text(best));
   if (!common.quiet)
     for (const auto& warning : brdf_warnings(best.material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);

@@ -87,7 +87,7 @@ fs::path draw_fit(const fs::path& material, const BrdfFit& fit, const BrdfMeasur
   }
   if (drawn < measurement.samples.size())
     picture.note += fmt::format("; {} of {} samples lie in the plane of incidence", drawn, measurement.samples.size());
-  const fs::path png = fs::path(material).replace_extension(".png");
+  fs::path png = fs::path(material).replace_extension(".png");
   draw_fit_plot(png, picture);
   return png;
 }
@@ -105,7 +105,7 @@ fs::path draw_shadowing(const fs::path& material, const BrdfFit& fit, const ByIn
     }
     curves.curves.push_back(std::move(curve));
   }
-  const fs::path png = material.parent_path() / (material.stem().string() + "-shadowing.png");
+  fs::path png = material.parent_path() / (material.stem().string() + "-shadowing.png");
   draw_shadowing_plot(png, {curves}, fmt::format("Shadowing function fitted to {}", fit.material.name));
   return png;
 }

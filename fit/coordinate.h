@@ -49,8 +49,9 @@ namespace lrcs {
   return p.to - p.from;
 }
 
-// Rounding of the coordinate aside.
+// Rounding of the coordinate aside; a linear parameter is as small as the data are.
 [[nodiscard]] inline bool is_at_end(const FormParameter& p, double value) {
+  if (p.is_linear) return value <= p.least || value >= p.most;
   const double from_least = coordinate_of(p, value) - coordinate_of(p, p.least);
   const double to_most = coordinate_of(p, p.most) - coordinate_of(p, value);
   return from_least <= 1e-12 || to_most <= 1e-12;

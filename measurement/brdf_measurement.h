@@ -26,6 +26,9 @@ struct BrdfMeasurement {
   std::vector<std::string> warnings;  // a sentence each: what a user should look at before trusting the numbers
 };
 
+// Adds a warning where all samples have the same theta_i. domain: samples not empty.
+void warn_of_one_incidence(BrdfMeasurement& measurement);
+
 // What a file may leave unsaid. Where the file says otherwise, that is an error.
 struct MeasurementOptions {
   std::optional<int> azimuth_of_specular;  // [deg] 180 or 0: the file's azimuth at which the specular direction lies

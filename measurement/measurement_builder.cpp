@@ -100,16 +100,6 @@ void MeasurementBuilder::require_something_to_fit() const {
     throw InputError(place, fmt::format("all {} weights are 0, nothing to fit", samples.size()));
 }
 
-void MeasurementBuilder::warn_of_one_incidence() {
-  constexpr double same = 1e-3;
-  const auto [least, most] =
-      std::minmax_element(measurement_.samples.begin(), measurement_.samples.end(),
-                          [](const BrdfSample& a, const BrdfSample& b) { return a.theta_i < b.theta_i; });
-  if (most->theta_i - least->theta_i > same) return;
-  measurement_.warnings.push_back(fmt::format(
-      "only one angle of incidence, {:.6g} deg: what changes with it is not determined", most->theta_i / degree));
-}
-
 void MeasurementBuilder::warn_of_radians() {
   if (!angles_in_degrees_) return;
   double least = pi;
@@ -138,7 +128,7 @@ void MeasurementBuilder::warn_of_bright_surface() {
 BrdfMeasurement MeasurementBuilder::finish() {
   require_something_to_fit();
   note_what_is_left_out();
-  warn_of_one_incidence();
+  warn_of_one_incidence(measurement_);
   warn_of_radians();
   warn_of_bright_surface();
   return std::move(measurement_);

@@ -35,7 +35,6 @@ class MeasurementBuilder {
  private:
   void require_something_to_fit() const;
   void note_what_is_left_out();
-  void warn_of_one_incidence();
   void warn_of_radians();
   void warn_of_bright_surface();
 
