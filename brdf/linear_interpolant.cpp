@@ -177,8 +177,8 @@ LinearInterpolant::LinearInterpolant(const std::vector<Vec3>& places, const std:
     ordered_values.push_back(values[k]);
   }
   const AffineFrame frame = affine_frame(ordered_places, tolerance);
-  parts_ = std::make_shared<const Parts>(frame, std::move(ordered_values), tolerance,
-                                         triangulation_of(ordered_places, frame));
+  parts_ = std::make_shared<const Parts>(
+      Parts{frame, std::move(ordered_values), tolerance, triangulation_of(ordered_places, frame)});
 }
 
 std::optional<double> LinearInterpolant::at(const Vec3& place) const {

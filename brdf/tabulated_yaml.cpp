@@ -21,6 +21,7 @@ constexpr std::array outside_rules{Outside::error, Outside::nearest, Outside::ze
 Outside outside_from_yaml(const LocatedYaml& node) {
   if (!node.has("outside")) return Outside::error;
   std::vector<std::string> words;
+  words.reserve(outside_rules.size());
   for (const Outside rule : outside_rules) words.emplace_back(word_of(rule));
   const std::string said = node.at("outside").one_of(words);
   return *std::find_if(outside_rules.begin(), outside_rules.end(), [&](Outside rule) { return said == word_of(rule); });
@@ -40,6 +41,7 @@ MeasuredFile file_from_yaml(const LocatedYaml& node) {
 
 std::string wavelengths_of(const std::vector<BrdfMeasurement>& measurements) {
   std::vector<std::string> words;
+  words.reserve(measurements.size());
   for (const BrdfMeasurement& m : measurements)
     words.push_back(m.wavelength > 0.0 ? text_of_length(m.wavelength, "um") : "none stated");
   return fmt::format("{}", fmt::join(words, ", "));
