@@ -2,43 +2,11 @@
 
 #include <ceres/ceres.h>
 
-#include <algorithm>
-
-#include "fit/coordinate.h"
+#include "fit/ceres_residuals.h"
 #include "fit/uniform.h"
 
 namespace lrcs {
 namespace {
-
-class Residuals final : public ceres::CostFunction {
- public:
-  explicit Residuals(const FitProblem& problem) : problem_(problem) {
-    set_num_residuals(static_cast<int>(problem.rows()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters().size()));
-  }
-
-  bool Evaluate(const double* const* coordinates, double* residuals, double** jacobians) const override {
-    const auto parameters = problem_.parameters();
-    std::vector<double> values(parameters.size());
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = value_at(parameters[k], coordinates[0][k]);
-    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    problem_.residuals(values, residual_, wanted ? &jacobian_ : nullptr);
-    std::copy(residual_.begin(), residual_.end(), residuals);
-    if (!wanted) return residual_.allFinite();
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<Rows> out(jacobians[0], jacobian_.rows(), jacobian_.cols());
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      out.col(column) = jacobian_.col(column) * slope_at(parameters[k], values[k]);
-    }
-    return residual_.allFinite() && out.allFinite();
-  }
-
- private:
-  const FitProblem& problem_;
-  mutable Eigen::VectorXd residual_;  // one thread
-  mutable Eigen::MatrixXd jacobian_;
-};
 
 ceres::Solver::Options to_the_end() {
   ceres::Solver::Options options;
@@ -82,7 +50,7 @@ class Descents {
     std::vector<double> place(start.size());
     for (std::size_t k = 0; k < place.size(); ++k) place[k] = coordinate_of(parameters[k], start[k]);
     ceres::Problem problem;
-    problem.AddResidualBlock(new Residuals(task_.box.problem()), nullptr, place.data());  // NOLINT: Ceres owns it
+    problem.AddResidualBlock(new CeresResiduals(task_.box.problem()), nullptr, place.data());  // NOLINT: Ceres owns it
     for (std::size_t k = 0; k < place.size(); ++k) {
       const auto& p = parameters[k];
       problem.SetParameterLowerBound(place.data(), static_cast<int>(k), coordinate_of(p, p.least));

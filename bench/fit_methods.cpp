@@ -39,7 +39,8 @@ FitEnd plain_gsaa(const FitTask& task, int budget) {
   options.seed = task.data.seed;
   options.population = std::min(64, budget / 2);
   options.generations = budget / options.population - 1;
-  options.cooling = std::pow(1e-6, 1.0 / options.generations);
+  constexpr double last_temperature = 1e-6;  // over the first
+  options.cooling = std::pow(last_temperature, 1.0 / options.generations);
   const auto found =
       gsaa(task.box.dimensions(), options, [&](std::span<const double> place) { return task.box.squares_at(place); });
   return {task.box.values_at_place(found.front().place), options.population * (options.generations + 1L)};

@@ -41,9 +41,12 @@ constexpr unsigned adjustments = 10, steps = 20;  // of annealing, a temperature
 FitEnd annealing(const FitTask& task, unsigned budget) {
   const unsigned of_temperature = adjustments * steps * static_cast<unsigned>(task.box.dimensions());
   const unsigned temperatures = std::max(budget / of_temperature, 2U);
+  constexpr double first_temperature = 1.0, last_temperature = 1e-9;  // of E/100
   const auto seed = static_cast<unsigned>(task.data.seed);
-  return evolve(
-      task, pagmo::algorithm(pagmo::simulated_annealing(1.0, 1e-9, temperatures, adjustments, steps, 1.0, seed)), 1);
+  return evolve(task,
+                pagmo::algorithm(pagmo::simulated_annealing(first_temperature, last_temperature, temperatures,
+                                                            adjustments, steps, 1.0, seed)),
+                1);
 }
 
 constexpr double never = 0.0;  // stop for want of progress

@@ -1,6 +1,6 @@
 #include "brdf/brdf.h"
 
-#include <cmath>
+#include "brdf/direction_at.h"
 
 namespace lrcs {
 
@@ -13,8 +13,8 @@ double f_r(const Brdf& brdf, const Vec3& wi, const Vec3& wr, const Vec3& n) {
 }
 
 double f_r_angles(const Brdf& brdf, double theta_i, double theta_r, double phi) {
-  const Vec3 wi(std::sin(theta_i), 0.0, std::cos(theta_i));
-  const Vec3 wr(std::sin(theta_r) * std::cos(phi), std::sin(theta_r) * std::sin(phi), std::cos(theta_r));
+  const Vec3 wi = direction_at(theta_i, 0.0);
+  const Vec3 wr = direction_at(theta_r, phi);
   return f_r(brdf, wi, wr, Vec3::UnitZ());
 }
 

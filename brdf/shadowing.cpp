@@ -1,12 +1,12 @@
 #include "brdf/shadowing.h"
 
-#include <cmath>
+#include "brdf/direction_at.h"
 
 namespace lrcs {
 
 std::optional<double> shadowing_angles(const Brdf& brdf, double theta_i, double theta_r, double phi) {
-  const Vec3 wi(std::sin(theta_i), 0.0, std::cos(theta_i));
-  const Vec3 wr(std::sin(theta_r) * std::cos(phi), std::sin(theta_r) * std::sin(phi), std::cos(theta_r));
+  const Vec3 wi = direction_at(theta_i, 0.0);
+  const Vec3 wr = direction_at(theta_r, phi);
   const Vec3 n = Vec3::UnitZ();
   return std::visit(
       [&](const auto& model) -> std::optional<double> {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "brdf/direction_at.h"
 #include "brdf/linear_interpolant.h"
 #include "brdf/merged_places.h"
 #include "brdf/pair_place.h"
@@ -28,9 +29,7 @@ double snapped(double coordinate) {
 }
 
 Vec3 place_of(const BrdfSample& s) {
-  const Vec3 wi(std::sin(s.theta_i), 0.0, std::cos(s.theta_i));
-  const Vec3 wr(std::sin(s.theta_r) * std::cos(s.phi), std::sin(s.theta_r) * std::sin(s.phi), std::cos(s.theta_r));
-  const Vec3 place = pair_place(wi, wr, Vec3::UnitZ());
+  const Vec3 place = pair_place(direction_at(s.theta_i, 0.0), direction_at(s.theta_r, s.phi), Vec3::UnitZ());
   return {place.x(), snapped(place.y()), snapped(place.z())};
 }
 

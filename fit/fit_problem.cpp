@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/compensated_sum.h"
+#include "brdf/direction_at.h"
 
 namespace lrcs {
 namespace {
@@ -17,8 +18,8 @@ const Vec3 normal(0.0, 0.0, 1.0);
 
 FitRow row_of(const BrdfSample& s) {
   FitRow row;
-  row.wi = Vec3(std::sin(s.theta_i), 0.0, std::cos(s.theta_i));
-  row.wr = Vec3(std::sin(s.theta_r) * std::cos(s.phi), std::sin(s.theta_r) * std::sin(s.phi), std::cos(s.theta_r));
+  row.wi = direction_at(s.theta_i, 0.0);
+  row.wr = direction_at(s.theta_r, s.phi);
   row.cos_i = row.wi.z();
   row.cos_r = row.wr.z();
   row.f_r = s.f_r;
@@ -53,10 +54,13 @@ double between(double low, double x, double high) {
   return std::isfinite(x) ? std::clamp(x, low, high) : low;
 }
 
+// Sine squared of the angle between columns: below, rounding decides which of them counts.
+constexpr double parallel = 1e-14;
+
 // Non-negative least squares in two unknowns: the free solution, or the better of the two with one unknown at 0.
 std::array<double, 2> non_negative(const Products& p, double most_x, double most_y) {
   const double determinant = p.aa * p.bb - p.ab * p.ab;
-  if (determinant > 1e-14 * p.aa * p.bb) {
+  if (determinant > parallel * p.aa * p.bb) {
     const double x = (p.at * p.bb - p.bt * p.ab) / determinant;
     const double y = (p.bt * p.aa - p.at * p.ab) / determinant;
     if (x >= 0.0 && y >= 0.0 && x <= most_x && y <= most_y) return {x, y};
@@ -142,7 +146,7 @@ class FormProblem final : public FitProblem {
     return Form::template make<T>(values, azimuth_of_specular_);
   }
 
-  // f_r cos_r of a model. Of a retro-reflecting pair by the form that has no 0/0.
+  // f_r cos_r of a model.
   template <class Model>
   [[nodiscard]] static auto f_cos(const Model& model, const FitRow& row) {
     return model.f_cos_cos(row.wi, row.wr, normal) / row.cos_i;

@@ -2,10 +2,7 @@
 
 #include <ceres/ceres.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "fit/coordinate.h"
+#include "fit/ceres_residuals.h"
 
 namespace lrcs {
 namespace {
@@ -15,34 +12,6 @@ std::vector<double> values_at(const FitProblem& problem, const double* coordinat
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = value_at(problem.parameters()[k], coordinates[k]);
   return values;
 }
-
-// The residuals as Ceres asks for them.
-class Cost final : public ceres::CostFunction {
- public:
-  explicit Cost(const FitProblem& problem) : problem_(problem) {
-    set_num_residuals(static_cast<int>(problem.rows()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters().size()));
-  }
-
-  bool Evaluate(const double* const* coordinates, double* residuals, double** jacobians) const override {
-    const std::vector<double> values = values_at(problem_, coordinates[0]);
-    Eigen::VectorXd residual;
-    Eigen::MatrixXd jacobian;
-    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
-    problem_.residuals(values, residual, wanted ? &jacobian : nullptr);
-    if (!residual.allFinite()) return false;
-    std::copy(residual.begin(), residual.end(), residuals);
-    if (!wanted) return true;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      jacobian.col(static_cast<Eigen::Index>(k)) *= slope_at(problem_.parameters()[k], values[k]);
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<Rows>(jacobians[0], jacobian.rows(), jacobian.cols()) = jacobian;
-    return jacobian.allFinite();
-  }
-
- private:
-  const FitProblem& problem_;
-};
 
 ceres::Solver::Options solver_options() {
   ceres::Solver::Options options;
@@ -71,7 +40,7 @@ Polished polish(const FitProblem& problem, const std::vector<double>& start) {
   std::vector<double> coordinates(start.size());
   for (std::size_t k = 0; k < start.size(); ++k) coordinates[k] = coordinate_of(problem.parameters()[k], start[k]);
   ceres::Problem ceres_problem;
-  ceres_problem.AddResidualBlock(new Cost(problem), nullptr, coordinates.data());  // NOLINT: Ceres owns it
+  ceres_problem.AddResidualBlock(new CeresResiduals(problem), nullptr, coordinates.data());  // NOLINT: Ceres owns it
   if (!held.empty())
     ceres_problem.SetManifold(coordinates.data(), new ceres::SubsetManifold(size, held));  // NOLINT: Ceres owns it
   for (int k = 0; k < size; ++k) {
