@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/fit_comparison.h"
+#include "bench/fit_coverage.h"
 #include "bench/fit_data.h"
 #include "bench/fit_methods.h"
 #include "bench/fit_table.h"
@@ -26,6 +27,8 @@ struct Options {
   int reference = 200;
   FitBudget budget;
   double longest = 1e9;  // [s]
+  int coverage = 0;
+  bool only_lrcs = false;
   bool is_short = false;
 };
 
@@ -55,7 +58,8 @@ void print(const std::string& text) {
 // Whether lrcs passed its bars.
 bool measure(const std::string& form, const Options& options) {
   std::vector<FitComparison> comparisons;
-  const auto methods = fit_methods(options.budget);
+  auto methods = fit_methods(options.budget);
+  if (options.only_lrcs) std::erase_if(methods, [](const FitMethod& m) { return !m.name.starts_with("lrcs"); });
   const Stopwatch watch;
   for (int seed = 1; seed <= options.seeds && watch.seconds() < options.longest; ++seed)
     for (const FitData& data : all_fit_data(options.noises, static_cast<std::uint64_t>(seed)))
@@ -92,6 +96,10 @@ int run(int argc, char** argv) {
   not_short(app.add_option("--starts", options.budget.starts, "Of Ceres (default 100)")->check(CLI::Range(1, 100000)));
   not_short(
       app.add_option("--longest-s", options.longest, "No further seed for a form after so long [s] (default: all)"));
+  not_short(app.add_flag("--only-lrcs", options.only_lrcs, "None of the other methods, but --reference descents"));
+  not_short(app.add_option("--coverage", options.coverage,
+                           "Instead: how often intervals hold the truth, in so many repetitions a case")
+                ->check(CLI::Range(1, 100000)));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
@@ -99,6 +107,10 @@ int run(int argc, char** argv) {
   }
   if (options.is_short) shorten(options);
   print(machine_facts());
+  if (options.coverage > 0) {
+    print_coverage(options.forms, options.noises, options.coverage);
+    return done;
+  }
   print(
       fmt::format("seeds: at most {}, descents from anywhere {}, evaluations without derivatives {}, Ceres starts {}\n",
                   options.seeds, options.reference, options.budget.evaluations, options.budget.starts));

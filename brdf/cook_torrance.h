@@ -4,8 +4,7 @@
 
 #include "brdf/beckmann.h"
 #include "brdf/ggx.h"
-#include "brdf/half_vector.h"
-#include "brdf/model_pair.h"
+#include "brdf/half_vector_model.h"
 #include "brdf/parameter_error.h"
 
 namespace lrcs {
@@ -21,10 +20,8 @@ namespace lrcs {
 // source: R. Cook and K. Torrance, ACM TOG 1(1), 7, 1982; D and G: brdf/beckmann.h, brdf/ggx.h; F: C. Schlick, Computer
 //   Graphics Forum 13(3), 233, 1994. The print of 1982 has G of V-shaped grooves and pi in place of 4 under D F G.
 template <class T, class Slopes>
-class CookTorranceModel {
+class CookTorranceModel : public HalfVectorModel<T, CookTorranceModel<T, Slopes>> {
  public:
-  static constexpr bool is_reciprocal = true;
-
   CookTorranceModel(const T& kd, const T& ks, const T& f0, const T& roughness)
       : kd_(kd), ks_(ks), f0_(f0), roughness_(roughness) {
     require_parameter_in("kd", plain_value(kd), 0.0, largest_parameter);
@@ -43,26 +40,6 @@ class CookTorranceModel {
   }
   [[nodiscard]] bool conserves_energy() const { return plain_value(kd_) + plain_value(ks_) <= 1.0; }
 
-  template <class S>
-  [[nodiscard]] ResultScalar<T, S> f_cos_cos(const Direction<S>& wi, const Direction<S>& wr,
-                                             const Direction<S>& n) const {
-    return is_above(S(wi.dot(n))) && is_above(S(wr.dot(n))) ? value(half_vector(wi, wr, n)) : ResultScalar<T, S>(0.0);
-  }
-
-  template <class S>
-  [[nodiscard]] ResultScalar<T, S> f_cos_cos_retro(const S& cos_theta) const {
-    return is_above(cos_theta) ? value(half_vector_retro(cos_theta)) : ResultScalar<T, S>(0.0);
-  }
-
-  template <class S>
-  [[nodiscard]] ModelPair<CookTorranceModel, S> for_pair(const Direction<S>& wi, const Direction<S>& wr) const {
-    return {*this, wi, wr};
-  }
-
-  [[nodiscard]] double pair_error(const Direction<double>& /*wi*/, const Direction<double>& /*wr*/) const {
-    return 0.0;
-  }
-
   [[nodiscard]] double lobe_error(const Direction<double>& wi, const Direction<double>& wr,
                                   const Direction<double>& n) const {
     const auto h = half_vector(wi, wr, n);
@@ -70,6 +47,8 @@ class CookTorranceModel {
   }
 
  private:
+  friend HalfVectorModel<T, CookTorranceModel>;
+
   // F D G / 4
   template <class S>
   [[nodiscard]] ResultScalar<T, S> mirrors(const HalfVector<S>& h) const {

@@ -2,8 +2,7 @@
 #include <cmath>
 
 #include "brdf/beckmann.h"
-#include "brdf/half_vector.h"
-#include "brdf/model_pair.h"
+#include "brdf/half_vector_model.h"
 #include "brdf/parameter_error.h"
 
 namespace lrcs {
@@ -18,10 +17,8 @@ namespace lrcs {
 // check: tests/brdf/high_precision_test.cpp, 1e-12; closed forms of plate and sphere in tests/lrcs/steinvall_test.cpp.
 // source: O. Steinvall, Applied Optics 39(24), 4381, 2000.
 template <class T>
-class SteinvallModel {
+class SteinvallModel : public HalfVectorModel<T, SteinvallModel<T>> {
  public:
-  static constexpr bool is_reciprocal = true;
-
   SteinvallModel(const T& A, const T& B, const T& s, const T& m) : A_(A), B_(B), s_(s), m_(m) {
     const auto require = [](std::string_view name, const T& x, double least, double most) {
       require_parameter_in(name, plain_value(x), least, most);
@@ -41,26 +38,6 @@ class SteinvallModel {
   }
   [[nodiscard]] bool conserves_energy() const { return false; }
 
-  template <class S>
-  [[nodiscard]] ResultScalar<T, S> f_cos_cos(const Direction<S>& wi, const Direction<S>& wr,
-                                             const Direction<S>& n) const {
-    return is_above(S(wi.dot(n))) && is_above(S(wr.dot(n))) ? value(half_vector(wi, wr, n)) : ResultScalar<T, S>(0.0);
-  }
-
-  template <class S>
-  [[nodiscard]] ResultScalar<T, S> f_cos_cos_retro(const S& cos_theta) const {
-    return is_above(cos_theta) ? value(half_vector_retro(cos_theta)) : ResultScalar<T, S>(0.0);
-  }
-
-  template <class S>
-  [[nodiscard]] ModelPair<SteinvallModel, S> for_pair(const Direction<S>& wi, const Direction<S>& wr) const {
-    return {*this, wi, wr};
-  }
-
-  [[nodiscard]] double pair_error(const Direction<double>& /*wi*/, const Direction<double>& /*wr*/) const {
-    return 0.0;
-  }
-
   [[nodiscard]] double lobe_error(const Direction<double>& wi, const Direction<double>& wr,
                                   const Direction<double>& n) const {
     const double s = plain_value(s_);
@@ -69,6 +46,8 @@ class SteinvallModel {
   }
 
  private:
+  friend HalfVectorModel<T, SteinvallModel>;
+
   template <class S>
   [[nodiscard]] ResultScalar<T, S> value(const HalfVector<S>& h) const {
     using R = ResultScalar<T, S>;

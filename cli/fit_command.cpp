@@ -89,7 +89,6 @@ BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& fla
                                        flags.data, fmt::join(known, ", ")));
 }
 
-// As the reader does, before samples are left out.
 // Only the samples at these angles of incidence.
 void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
   if (words.empty()) return;
@@ -193,34 +192,25 @@ CLI::Validator number_in(T least, T most, const std::string& domain) {
 
 void add_search_flags(CLI::App& verb, FitOptions& fit) {
   GsaaOptions& g = fit.gsaa;
-  const std::string group = "Search";
-  verb.add_option("--seed", g.seed, "Seed of the search (default 1)")
-      ->check(number_in<std::uint64_t>(0, ~0ULL, "a whole number below 2^64"))
-      ->group(group);
-  verb.add_option("--population", g.population, "Individuals of the annealed population (default 64)")
-      ->check(number_in(2, 100000, "a whole number, 2 to 100000"))
-      ->group(group);
-  verb.add_option("--generations", g.generations, "Generations (default 24)")
-      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
-      ->group(group);
-  verb.add_option("--crossover", g.crossover, "Probability of two parents (default 0.8)")
-      ->check(number_in(0.0, 1.0, "a number, 0 to 1"))
-      ->group(group);
-  verb.add_option("--mutation", g.mutation, "Probability that a coordinate is moved (default 0.25)")
-      ->check(number_in(0.0, 1.0, "a number, 0 to 1"))
-      ->group(group);
-  verb.add_option("--temperature", g.temperature, "First temperature, a relative rise of the error (default 0.3)")
-      ->check(number_in(1e-6, 1e6, "a number, 1e-6 to 1e6"))
-      ->group(group);
-  verb.add_option("--cooling", g.cooling, "Temperature of a generation over the one before (default 0.92)")
-      ->check(number_in(1e-6, 1.0, "a number, 1e-6 to 1"))
-      ->group(group);
-  verb.add_option("--starts", fit.starts, "Polishes from anywhere (default 32)")
-      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
-      ->group(group);
-  verb.add_option("--neighbours", fit.neighbours, "Polishes around the best, a round (default 24)")
-      ->check(number_in(0, 100000, "a whole number, 0 to 100000"))
-      ->group(group);
+  const auto add = [&](const std::string& flag, auto& value, const std::string& text, const CLI::Validator& check) {
+    verb.add_option(flag, value, fmt::format("{} (default {})", text, value))->check(check)->group("Search");
+  };
+  const auto whole = number_in(0, 100000, "a whole number, 0 to 100000");
+  const auto probability = number_in(0.0, 1.0, "a number, 0 to 1");
+  add("--seed", g.seed, "Seed of the search", number_in<std::uint64_t>(0, ~0ULL, "a whole number below 2^64"));
+  add("--population", g.population, "Individuals of the annealed population",
+      number_in(2, 100000, "a whole number, 2 to 100000"));
+  add("--generations", g.generations, "Generations", whole);
+  add("--crossover", g.crossover, "Probability of two parents", probability);
+  add("--mutation", g.mutation, "Probability that a coordinate is moved", probability);
+  add("--step", g.step, "Such a move at the first temperature, of the search range",
+      number_in(1e-6, 1.0, "a number, 1e-6 to 1"));
+  add("--temperature", g.temperature, "First temperature, a relative rise of the error",
+      number_in(1e-6, 1e6, "a number, 1e-6 to 1e6"));
+  add("--cooling", g.cooling, "Temperature of a generation over the one before",
+      number_in(1e-6, 1.0, "a number, 1e-6 to 1"));
+  add("--starts", fit.starts, "Polishes from anywhere", whole);
+  add("--neighbours", fit.neighbours, "Polishes around the best, a round", whole);
 }
 
 }  // namespace
