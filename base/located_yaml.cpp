@@ -10,6 +10,7 @@
 
 #include "base/digest.h"
 #include "base/nearest_name.h"
+#include "base/text_scanner.h"
 #include "base/yaml_document.h"
 
 namespace lrcs {
@@ -32,7 +33,9 @@ std::string description(const YamlValue& value) {
     case Kind::scalar:
       break;
   }
-  return value.quoted ? fmt::format("the text '{}'", value.text) : fmt::format("'{}'", value.text);
+  constexpr std::size_t longest = 60;
+  const std::string text = value.text.size() > longest ? shown(value.text) : value.text;
+  return value.quoted ? fmt::format("the text '{}'", text) : fmt::format("'{}'", text);
 }
 
 // A plain scalar as a double, which may be infinite or NaN; nothing where it is no number.

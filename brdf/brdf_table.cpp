@@ -93,19 +93,23 @@ std::string header(const Material& material, const std::vector<double>& theta_i_
 // Both at whole degrees; of a tabulated one at every tenth, where the samples do not know better.
 void add_albedo_warnings(const Brdf& brdf, std::vector<std::string>& warnings) {
   std::optional<int> first_above_one, first_unknown;
-  double at_last = 0.0;
+  double largest = 0.0;
   const int step = std::holds_alternative<Tabulated>(brdf) ? 10 : 1;
-  int last = 0;
+  int last_above_one = 0, at_largest = 0;
   for (int deg = 0; deg < 90; deg += step) {
     const auto [a, all] = known_albedo(brdf, deg * degree, albedo_accuracy);
-    if (a.value - a.bound > 1.0 && !first_above_one) first_above_one = deg;
     if (!all && !first_unknown) first_unknown = deg;
-    at_last = a.value;
-    last = deg;
+    if (a.value > largest) largest = a.value, at_largest = deg;
+    if (!(a.value - a.bound > 1.0)) continue;
+    if (!first_above_one) first_above_one = deg;
+    last_above_one = deg;
   }
   if (first_above_one)
-    warnings.push_back(fmt::format("the albedo passes 1 from theta_i = {} deg on ({:.3g} at {} deg)", *first_above_one,
-                                   at_last, last));
+    warnings.push_back(fmt::format(
+        "the albedo passes 1 {} ({:.3g} at {} deg)",
+        last_above_one + step >= 90 ? fmt::format("from theta_i = {} deg on", *first_above_one)
+                                    : fmt::format("between theta_i = {} and {} deg", *first_above_one, last_above_one),
+        largest, at_largest));
   if (first_unknown)
     warnings.push_back(fmt::format(
         "not all directions were measured, from theta_i = {} deg on: albedos there are lower bounds, rows are left out",
@@ -126,7 +130,8 @@ std::optional<std::string> reciprocity_warning(const Brdf& brdf) {
         worst = std::abs(there - back) / larger;
         where = fmt::format("theta {} and {} deg, phi {} deg", i, r, phi);
       }
-  if (where.empty()) return std::nullopt;
+  constexpr double rounding = 1e-12;
+  if (worst <= rounding) return std::nullopt;
   return fmt::format("not reciprocal: f_r changes by up to {:.2g} % when the directions are exchanged ({})",
                      100.0 * worst, where);
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "base/digest.h"
@@ -15,7 +14,6 @@
 namespace lrcs {
 namespace {
 
-constexpr double same_wavelength = 1e-3;  // relative
 constexpr std::array outside_rules{Outside::error, Outside::nearest, Outside::zero};
 
 Outside outside_from_yaml(const LocatedYaml& node) {
@@ -57,10 +55,7 @@ BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& measurements, const M
                                      file.path, wavelengths_of(measurements)));
   }
   if (measurements.size() == 1 && measurements.front().wavelength == 0.0) return measurements.front();
-  const auto apart = [&](const BrdfMeasurement& m) { return std::abs(m.wavelength - *asked); };
-  const auto nearest = std::min_element(measurements.begin(), measurements.end(),
-                                        [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
-  if (apart(*nearest) <= same_wavelength * *asked) return *nearest;
+  if (const BrdfMeasurement* found = measured_at(measurements, *asked)) return *found;
   node.at("wavelength")
       .fail(fmt::format("{} holds no measurement at {}; it holds {}", file.path, text_of_length(*asked, "um"),
                         wavelengths_of(measurements)));

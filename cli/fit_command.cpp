@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "base/input_error.h"
 #include "base/length.h"
@@ -71,35 +73,48 @@ std::optional<double> wavelength_asked(const Flags& flags) {
 // The one of these that was measured at the wavelength asked for, or the only one.
 BrdfMeasurement chosen(const std::vector<BrdfMeasurement>& all, const Flags& flags) {
   const auto asked = wavelength_asked(flags);
-  constexpr double same = 1e-3;  // relative
-  std::vector<std::string> known;
-  for (const BrdfMeasurement& m : all) {
-    if (!asked && all.size() == 1) return m;
-    if (asked && m.wavelength == 0.0) {
-      BrdfMeasurement stated = m;
-      stated.wavelength = *asked;
-      return stated;
-    }
-    if (asked && std::abs(m.wavelength - *asked) <= same * *asked) return m;
-    known.push_back(text_of_length(m.wavelength, "um"));
+  if (all.size() == 1 && (!asked || all.front().wavelength == 0.0)) {
+    BrdfMeasurement only = all.front();
+    only.wavelength = asked.value_or(only.wavelength);
+    return only;
   }
+  if (asked)
+    if (const BrdfMeasurement* found = measured_at(all, *asked)) return *found;
+  std::vector<std::string> known;
+  known.reserve(all.size());
+  for (const BrdfMeasurement& m : all) known.push_back(text_of_length(m.wavelength, "um"));
   throw InputError(asked ? fmt::format("--wavelength: {} was measured at {}, not at {}", flags.data,
                                        fmt::join(known, ", "), flags.wavelength)
                          : fmt::format("{}: measured at several wavelengths: expected --wavelength with one of {}",
                                        flags.data, fmt::join(known, ", ")));
 }
 
-// Only the samples at these angles of incidence.
+bool is_at(const BrdfSample& sample, double theta_i_deg) {
+  return std::abs(sample.theta_i - theta_i_deg * degree) < 0.005 * degree;
+}
+
+// All that occur, in increasing order [deg], at most 20 of them.
+std::string incidences_of(const BrdfMeasurement& measurement) {
+  constexpr std::size_t most = 20;
+  std::set<double> all;
+  for (const BrdfSample& s : measurement.samples) all.insert(std::round(100.0 * s.theta_i / degree) / 100.0);
+  const std::vector<double> few(all.begin(), std::next(all.begin(), std::min(all.size(), most)));
+  return fmt::format("{}{}", fmt::join(few, ", "), few.size() < all.size() ? ", ..." : "");
+}
+
+// Only the samples at these angles of incidence, each of which must occur.
 void keep_incidence(BrdfMeasurement& measurement, const std::string& words) {
   if (words.empty()) return;
   const auto angles = angles_from_words(words, "--incidence", incidence_domain);
+  auto& samples = measurement.samples;
+  for (const double deg : angles)
+    if (std::none_of(samples.begin(), samples.end(), [&](const BrdfSample& s) { return is_at(s, deg); }))
+      throw InputError(
+          fmt::format("--incidence: no samples at {} deg, measured were {} deg", deg, incidences_of(measurement)));
   const auto is_other = [&](const BrdfSample& s) {
-    return std::none_of(angles.begin(), angles.end(),
-                        [&](double deg) { return std::abs(s.theta_i - deg * degree) < 0.005 * degree; });
+    return std::none_of(angles.begin(), angles.end(), [&](double deg) { return is_at(s, deg); });
   };
-  const auto left_out = std::erase_if(measurement.samples, is_other);
-  if (measurement.samples.empty()) throw InputError(fmt::format("--incidence: no samples at {} deg", words));
-  if (left_out > 0) warn_of_one_incidence(measurement);
+  if (std::erase_if(samples, is_other) > 0) warn_of_one_incidence(measurement);
 }
 
 BrdfMeasurement read(const Flags& flags) {
@@ -108,15 +123,19 @@ BrdfMeasurement read(const Flags& flags) {
   return measurement;
 }
 
+fs::path facts_of(const std::string& material) {
+  return fs::path(material).replace_extension(".json");
+}
+
+// The material last: where there is one, the rest is there too.
 std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
   Material material = fit.material;
   material.source = fmt::format("{} fitted by lrcs to {}, E = {:.4g} %", fit.form, measurement.name, fit.e_percent);
-  write_whole_file(flags.material, material_to_yaml(material));
-  const fs::path facts = fs::path(flags.material).replace_extension(".json");
+  auto files = draw_fit_pictures(flags.material, fit, measurement);
+  const fs::path facts = facts_of(flags.material);
   write_whole_file(facts, fit_json(fit, measurement));
-  std::vector<fs::path> files{flags.material, facts};
-  const auto pictures = draw_fit_pictures(flags.material, fit, measurement);
-  files.insert(files.end(), pictures.begin(), pictures.end());
+  write_whole_file(flags.material, material_to_yaml(material));
+  files.insert(files.begin(), {flags.material, facts});
   return files;
 }
 
@@ -128,18 +147,24 @@ void check_output(const Flags& flags) {
   const fs::path folder = fs::path(flags.material).parent_path();
   if (!folder.empty() && !fs::is_directory(folder))
     throw InputError(fmt::format("--output: no such folder: '{}'", folder.string()));
+  fs::path stem(flags.material);
+  stem.replace_extension();
+  for (const std::string ending : {extension.c_str(), ".json", ".png", "-shadowing.png"}) {
+    const fs::path file = stem.string() + ending;
+    std::error_code none;
+    if (fs::equivalent(file, flags.data, none))
+      throw InputError(fmt::format("--output: would overwrite the data, '{}'", file.string()));
+  }
 }
 
 void say(const BrdfMeasurement& measurement, const Common& common) {
   if (common.quiet) return;
-  if (common.verbose) {
-    fmt::print(stderr, "lrcs: {}: {}, {} samples\n", measurement.name, measurement.format, measurement.samples.size());
-    for (const auto& note : measurement.notes) fmt::print(stderr, "lrcs: note: {}\n", note);
-  }
+  fmt::print(stderr, "lrcs: {}: {}, {} samples\n", measurement.name, measurement.format, measurement.samples.size());
+  for (const auto& note : measurement.notes) fmt::print(stderr, "lrcs: note: {}\n", note);
   for (const auto& warning : measurement.warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }
 
-// Of several models those with no more parameters than there are samples that count.
+// Of several models those with fewer parameters than there are samples that count: as many are met by any.
 std::vector<BrdfFit> fitted(const std::vector<std::string>& models, const BrdfMeasurement& measurement,
                             const FitOptions& options, const Common& common) {
   const auto counts = [](const BrdfSample& s) { return s.weight > 0.0; };
@@ -149,7 +174,7 @@ std::vector<BrdfFit> fitted(const std::vector<std::string>& models, const BrdfMe
   ProgressBar bar(models.size(), "models", !common.quiet && models.size() > 1);
   for (std::size_t k = 0; k < models.size(); ++k) {
     const std::size_t parameters = find_brdf_form(models[k])->parameters.size();
-    if (models.size() == 1 || parameters <= std::max<std::size_t>(samples, 1))
+    if (models.size() == 1 || parameters < std::max<std::size_t>(samples, 2))
       fits.push_back(fit_brdf(measurement, models[k], options));
     else if (!common.quiet)
       fmt::print(stderr, "lrcs: warning: {} is left out: {} samples, {} parameters\n", models[k], samples, parameters);

@@ -29,6 +29,9 @@ struct BrdfMeasurement {
 // Adds a warning where all samples have the same theta_i. domain: samples not empty.
 void warn_of_one_incidence(BrdfMeasurement& measurement);
 
+// The one whose wavelength [m] is nearest to that asked for; null where none is within a thousandth of it.
+[[nodiscard]] const BrdfMeasurement* measured_at(const std::vector<BrdfMeasurement>& measurements, double wavelength);
+
 // What a file may leave unsaid. Where the file says otherwise, that is an error.
 struct MeasurementOptions {
   std::optional<int> azimuth_of_specular;  // [deg] 180 or 0: the file's azimuth at which the specular direction lies

@@ -1,8 +1,12 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/input_error.h"
+#include "base/text_scanner.h"
 #include "measurement/brdf_measurement.h"
 #include "measurement/measurement_builder.h"
 
@@ -14,6 +18,14 @@ struct Said {
   T value;
   Place place;
 };
+
+// Takes what is said where `scanner` is. error: InputError where another line said otherwise.
+template <class T>
+void set(std::optional<Said<T>>& said, T value, const TextScanner& scanner, std::string_view key) {
+  if (said && said->value != value)
+    scanner.fail(fmt::format("line {} says another {}, expected one", said->place.line, key));
+  if (!said) said = Said<T>{value, scanner.place()};
+}
 
 // What a file says of its convention.
 struct SaidConvention {

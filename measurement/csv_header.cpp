@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t longest_name = 60;  // of which another may be a slip of the pen
 
+constexpr std::array keys{"wavelength", "azimuth_of_specular", "value"};
+
 constexpr std::string_view expected_header = "theta_i_deg,theta_r_deg,phi_deg,f_r_per_sr[,weight]";
 
 struct KnownColumn {
@@ -31,13 +33,6 @@ std::string trimmed(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
   const std::size_t end = text.find_last_not_of(" \t") + 1;
   return std::string(text.substr(begin, std::max(begin, end) - begin));
-}
-
-template <class T>
-void set(std::optional<Said<T>>& said, T value, const TextScanner& scanner, const std::string& key) {
-  if (said && said->value != value)
-    scanner.fail(fmt::format("line {} says another {}, expected one", said->place.line, key));
-  if (!said) said = Said<T>{value, scanner.place()};
 }
 
 double length(const TextScanner& scanner, const std::string& value) {
@@ -61,9 +56,16 @@ bool has_cosine(const TextScanner& scanner, const std::string& value) {
   return value == "brdf_cosine";
 }
 
+// "value = brdf_cosine" is meant as a key, and would be taken for prose.
+void refuse_equals_sign(const TextScanner& scanner, std::string_view comment) {
+  const std::string key = trimmed(comment.substr(0, comment.find('=')));
+  if (comment.find('=') != std::string_view::npos && std::find(keys.begin(), keys.end(), key) != keys.end())
+    scanner.fail(fmt::format("expected '{}: ...', found '='", key));
+}
+
 void read_comment(const TextScanner& scanner, std::string_view comment, CsvComments& said) {
   const std::size_t colon = comment.find(':');
-  if (colon == std::string_view::npos) return;
+  if (colon == std::string_view::npos) return refuse_equals_sign(scanner, comment);
   const std::string key = trimmed(comment.substr(0, colon));
   const std::string value = trimmed(comment.substr(colon + 1));
   if (key == "wavelength") return set(said.wavelength, length(scanner, value), scanner, key);
@@ -71,7 +73,7 @@ void read_comment(const TextScanner& scanner, std::string_view comment, CsvComme
     return set(said.convention.azimuth_of_specular, azimuth(scanner, value), scanner, key);
   if (key == "value") return set(said.convention.value_has_cosine, has_cosine(scanner, value), scanner, key);
   if (key.size() > longest_name) return;
-  const std::string meant = did_you_mean(key, {"wavelength", "azimuth_of_specular", "value"});
+  const std::string meant = did_you_mean(key, {keys.begin(), keys.end()});
   if (!meant.empty()) scanner.fail(fmt::format("unknown key '{}'{}", shown(key), meant));
 }
 

@@ -51,7 +51,23 @@ MeasurementBuilder::MeasurementBuilder(std::string file, std::string format) : f
   measurement_.format = std::move(format);
 }
 
+void MeasurementBuilder::Sizes::see(double angle) {
+  constexpr double rounding = 1e-9;
+  const double size = std::abs(angle / degree);
+  if (size < rounding) return;
+  least = least > 0.0 ? std::min(least, size) : size;
+  most = std::max(most, size);
+  all_whole = all_whole && std::abs(size - std::round(size)) < rounding;
+}
+
 void MeasurementBuilder::add(BrdfSample sample) {
+  phi_.see(sample.phi);
+  put(sample);
+}
+
+void MeasurementBuilder::put(BrdfSample sample) {
+  theta_i_.see(sample.theta_i);
+  theta_r_.see(sample.theta_r);
   if (is_grazing(sample.theta_i) || is_grazing(sample.theta_r))
     return leave_out("at 90 deg from the normal, where the cosine is 0,");
   if ((sample.theta_i < 0.0) != (sample.theta_r < 0.0)) sample.phi += pi;
@@ -66,7 +82,7 @@ void MeasurementBuilder::add(const Vec3& wi, const Vec3& wr, double f_r, int lin
   const double theta_i = zenith_of(wi);
   const double theta_r = zenith_of(wr);
   if (std::max(theta_i, theta_r) > pi / 2.0 + grazing_width) return leave_out("of directions below the surface,");
-  add({theta_i, theta_r, azimuth_of(wr) - azimuth_of(wi), f_r, 1.0, line});
+  put({theta_i, theta_r, azimuth_of(wr) - azimuth_of(wi), f_r, 1.0, line});
 }
 
 void MeasurementBuilder::leave_out(std::string_view why) {
@@ -100,19 +116,17 @@ void MeasurementBuilder::require_something_to_fit() const {
     throw InputError(place, fmt::format("all {} weights are 0, nothing to fit", samples.size()));
 }
 
+// Each kind by itself: one column may have another unit than the next.
 void MeasurementBuilder::warn_of_radians() {
   if (!angles_in_degrees_) return;
-  double least = pi;
-  double most = 0.0;
-  for (const BrdfSample& s : measurement_.samples) {
-    for (const double zenith : {s.theta_i, s.theta_r}) {
-      if (zenith > 0.0) least = std::min(least, zenith);
-      most = std::max(most, zenith);
-    }
-  }
-  if (most <= least || most > pi / 2.0 * degree) return;
-  measurement_.warnings.push_back(
-      fmt::format("no angle from the normal passes {:.3g} deg: look like radians, expected degrees", most / degree));
+  const auto warn = [&](std::string_view name, const Sizes& sizes) {
+    measurement_.warnings.push_back(
+        fmt::format("no {} passes {:.3g} deg: look like radians, expected degrees", name, sizes.most));
+  };
+  const auto is_of_radians = [](const Sizes& zenith) { return zenith.most > zenith.least && zenith.most <= pi / 2.0; };
+  if (is_of_radians(theta_i_)) warn("theta_i", theta_i_);
+  if (is_of_radians(theta_r_)) warn("theta_r", theta_r_);
+  if (!phi_.all_whole && phi_.most <= 2.0 * pi) warn("phi", phi_);
 }
 
 void MeasurementBuilder::warn_of_bright_surface() {

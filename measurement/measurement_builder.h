@@ -17,6 +17,7 @@ class MeasurementBuilder {
 
   void set_wavelength(double metres) { measurement_.wavelength = metres; }
   void set_value_has_cosine(bool has) { value_has_cosine_ = has; }
+  // The file says degrees, or means them: angles that look like radians are warned of.
   void set_angles_in_degrees() { angles_in_degrees_ = true; }
   void note(std::string sentence) { measurement_.notes.push_back(std::move(sentence)); }
 
@@ -33,6 +34,15 @@ class MeasurementBuilder {
   [[nodiscard]] BrdfMeasurement finish();
 
  private:
+  // Angles of one kind, as the file has them [deg], without their signs.
+  struct Sizes {
+    double least = 0.0, most = 0.0;  // of those that are not 0; 0: there are none
+    bool all_whole = true;
+
+    void see(double angle);
+  };
+
+  void put(BrdfSample sample);
   void require_something_to_fit() const;
   void note_what_is_left_out();
   void warn_of_radians();
@@ -42,6 +52,7 @@ class MeasurementBuilder {
   BrdfMeasurement measurement_;
   bool value_has_cosine_ = false;
   bool angles_in_degrees_ = false;
+  Sizes theta_i_, theta_r_, phi_;
   std::vector<std::pair<std::string, std::size_t>> left_out_;
 };
 

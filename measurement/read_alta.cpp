@@ -17,15 +17,13 @@
 namespace lrcs {
 namespace {
 
-constexpr std::string_view read_params =
-    "ISOTROPIC_TL_TV_PROJ_DPHI, ISOTROPIC_TV_TL_DPHI, ISOTROPIC_TL_TV_DPHI or RUSIN_TH_TD_PD";
+constexpr std::string_view read_params = "ISOTROPIC_TL_TV_PROJ_DPHI, ISOTROPIC_TV_TL_DPHI or RUSIN_TH_TD_PD";
 constexpr std::string_view read_outputs = "INV_STERADIAN or INV_STERADIAN_COSINE_FACTOR";
 
-enum class Param { tl_tv_projected, tv_tl_dphi, tl_tv_dphi, half_difference };
+enum class Param { tl_tv_projected, tv_tl_dphi, half_difference };
 
 constexpr std::array param_names{std::pair{"ISOTROPIC_TL_TV_PROJ_DPHI", Param::tl_tv_projected},
                                  std::pair{"ISOTROPIC_TV_TL_DPHI", Param::tv_tl_dphi},
-                                 std::pair{"ISOTROPIC_TL_TV_DPHI", Param::tl_tv_dphi},
                                  std::pair{"RUSIN_TH_TD_PD", Param::half_difference}};
 
 Param read_param(TextScanner& words) {
@@ -75,11 +73,11 @@ struct AltaHeader {
     if (keyword == "FORMAT") require_word(words, "text", "text data (binary ones are not read)");
     if (keyword == "PARAM_IN") {
       const Param found = read_param(words);
-      param = Said<Param>{found, words.place()};
+      set(param, found, words, keyword);
     }
     if (keyword == "PARAM_OUT") {
       const bool found = read_has_cosine(words);
-      value_has_cosine = Said<bool>{found, words.place()};
+      set(value_has_cosine, found, words, keyword);
     }
   }
 
@@ -114,9 +112,7 @@ class AltaRows {
       case Param::tl_tv_projected:
         return read_projected();
       case Param::tv_tl_dphi:
-        return read_angles(&BrdfSample::theta_r, &BrdfSample::theta_i);
-      case Param::tl_tv_dphi:
-        return read_angles(&BrdfSample::theta_i, &BrdfSample::theta_r);
+        return read_angles();
       case Param::half_difference:
         return read_half_difference();
     }
@@ -136,10 +132,10 @@ class AltaRows {
     add(sample);
   }
 
-  void read_angles(double BrdfSample::*first, double BrdfSample::*second) {
+  void read_angles() {
     BrdfSample sample;
-    sample.*first = zenith();
-    sample.*second = zenith();
+    sample.theta_r = zenith();
+    sample.theta_i = zenith();
     sample.phi = azimuth();
     add(sample);
   }

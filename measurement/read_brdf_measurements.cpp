@@ -47,6 +47,7 @@ void require_text(std::string_view content, const std::string& file) {
   if (content.empty()) throw InputError(place, fmt::format("is empty, {}", readable));
   if (content.starts_with("\xfe\xff") || content.starts_with("\xff\xfe"))
     throw InputError(place, "is UTF-16 text, expected UTF-8 or ASCII");
+  if (content.starts_with("\x1f\x8b")) throw InputError(place, "is compressed by gzip, expected it unpacked");
   if (content.find('\0') != std::string_view::npos)
     throw InputError(place, fmt::format("is binary, in no format known here, {}", readable));
 }

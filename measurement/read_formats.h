@@ -18,7 +18,7 @@ using Measurements = std::vector<BrdfMeasurement>;
 [[nodiscard]] Measurements read_csv(std::string_view content, const std::string& file,
                                     const MeasurementOptions& options);
 
-// ALTA's text format: [rad], PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI, ISOTROPIC_TV_TL_DPHI, ISOTROPIC_TL_TV_DPHI or
+// ALTA's text format: [rad], PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI, ISOTROPIC_TV_TL_DPHI or
 // RUSIN_TH_TD_PD; PARAM_OUT INV_STERADIAN or INV_STERADIAN_COSINE_FACTOR (of the view direction); one channel.
 // source: ALTA, sources/core/params.{h,cpp} and data_storage.cpp.
 [[nodiscard]] Measurements read_alta(std::string_view content, const std::string& file,

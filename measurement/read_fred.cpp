@@ -27,6 +27,7 @@ class FredReader {
     read_format();
     take_wavelength_of_comments(content_, builder_);
     while (next_row()) read_numbers();
+    require_values();
     return builder_.finish();
   }
 
@@ -83,13 +84,22 @@ class FredReader {
   }
 
   void read_incidence() {
+    require_values();
     theta_i_ = zenith_angle(scanner_, scanner_.word(), unit_);
     if (azimuth_angle(scanner_, scanner_.word(), unit_) != 0.0)
       scanner_.fail("expected the azimuth 0 of incidence, others are not read");
     has_incidence_ = true;
+    has_values_ = false;
+  }
+
+  // Of the incidence read last: else it may be the rest of a row that was cut off.
+  void require_values() const {
+    if (has_incidence_ && !has_values_)
+      scanner_.fail("expected 3 numbers, theta, phi and value, after AOI and azimuth in the row before");
   }
 
   void read_value() {
+    has_values_ = true;
     BrdfSample sample;
     sample.line = scanner_.line();
     sample.theta_i = theta_i_;
@@ -105,7 +115,7 @@ class FredReader {
   AngleUnit unit_ = AngleUnit::degrees;
   double scale_ = 1.0;
   double theta_i_ = 0.0;
-  bool has_incidence_ = false;
+  bool has_incidence_ = false, has_values_ = false;
   bool begun_ = false;
 };
 

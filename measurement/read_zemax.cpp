@@ -48,6 +48,8 @@ class ZemaxReader {
     for (const double aoi : incidences_) read_incidence(aoi);
     const std::string_view end = next_keyword();
     if (end != "DataEnd") scanner_.fail_expected("'DataEnd'", end);
+    const std::string_view more = next_keyword();
+    if (!more.empty()) scanner_.fail_expected("the end of the file after 'DataEnd'", more);
     take_wavelength_of_comments(content_, builder_);
     return builder_.finish();
   }

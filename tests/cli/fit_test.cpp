@@ -230,7 +230,8 @@ TEST(BadFitUsage, IsOneLineThatSaysWhatWasExpectedAndNothingIsWritten) {
       {{"data.csv", "-o", "fit"}, "--output: expected a file that ends in .yaml, found 'fit'"},
       {{"data.csv", "--wavelength", "1.55 um"}, "--wavelength: data.csv was measured at 1.06 um, not at 1.55 um"},
       {{"data.csv", "--wavelength", "1.55"}, "--wavelength: expected a positive length with its unit"},
-      {{"data.csv", "--incidence", "20"}, "--incidence: no samples at 20 deg"},
+      {{"data.csv", "--incidence", "20"}, "--incidence: no samples at 20 deg, measured were 0, "},
+      {{"data.csv", "--incidence", "0,20"}, "--incidence: no samples at 20 deg, measured were 0, "},
       {{"dark.csv", "--incidence", "0", "--model", "lambert"}, "dark.csv: no f_r above 1e-150 in the 2 samples"},
       {{"data.csv", "--residual", "lg"}, "--residual: expected linear or log, found 'lg'"},
       {{"data.csv", "--value", "cosine"}, "--value: expected brdf or brdf_cosine, found 'cosine'"},
@@ -257,6 +258,26 @@ TEST(BadFitUsage, IsOneLineThatSaysWhatWasExpectedAndNothingIsWritten) {
     EXPECT_EQ(outcome.out, "") << wrong.message;
     EXPECT_FALSE(folder.has("fit.yaml") || folder.has("fit.json") || folder.has("fit")) << wrong.message;
   }
+}
+
+TEST(BadFitUsage, DoesNotOverwriteTheData) {
+  const ScratchFolder folder;
+  for (const char* name : {"fit.yaml", "fit.json", "fit.png", "fit-shadowing.png"}) {
+    folder.write(name, made_data());
+    const Outcome outcome = run_lrcs({"fit", name, "-o", "fit.yaml", "-q"}, {folder.path()});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, fmt::format("lrcs: --output: would overwrite the data, '{}'\n", name));
+    EXPECT_EQ(folder.read(name), made_data());
+    std::filesystem::remove(folder.path() / name);
+  }
+}
+
+TEST(Fit, SaysHowTheFileWasRead) {
+  const ScratchFolder folder;
+  folder.write("data.csv", made_data() + "10,90,0,0.1,1\n");
+  const Outcome outcome = run_lrcs(with({"fit", "data.csv"}, quickly), {folder.path()});
+  EXPECT_NE(outcome.err.find("lrcs: note: azimuth of specular: 180 deg"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("lrcs: note: 1 value at 90 deg from the normal"), std::string::npos) << outcome.err;
 }
 
 TEST(Fit, WarnsOfOneAngleOfIncidenceUnlessQuiet) {

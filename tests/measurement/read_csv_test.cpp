@@ -138,7 +138,17 @@ TEST(CsvWarnings, NameOneAngleOfIncidence) {
 
 TEST(CsvWarnings, NameAnglesThatLookLikeRadians) {
   EXPECT_THAT(measurement_of(csv_header + std::string("0.2,1.2,0,0.1\n0.9,1.5,3.1,0.1\n")).warnings,
-              ElementsAre("no angle from the normal passes 1.5 deg: look like radians, expected degrees"));
+              ElementsAre("no theta_i passes 0.9 deg: look like radians, expected degrees",
+                          "no theta_r passes 1.5 deg: look like radians, expected degrees",
+                          "no phi passes 3.1 deg: look like radians, expected degrees"));
+}
+
+TEST(CsvWarnings, NameOneColumnOfAnglesThatLooksLikeRadians) {
+  EXPECT_THAT(measurement_of(csv_header + std::string("0.2,12,0,0.1\n0.9,-15,180,0.1\n")).warnings,
+              ElementsAre("no theta_i passes 0.9 deg: look like radians, expected degrees"));
+  EXPECT_THAT(measurement_of(csv_header + std::string("20,12,0,0.1\n-30,15,3.14159,0.1\n")).warnings,
+              ElementsAre("no phi passes 3.14 deg: look like radians, expected degrees"));
+  EXPECT_THAT(measurement_of(csv_header + std::string("20,12,0,0.1\n-30,15,5,0.1\n")).warnings, ElementsAre());
 }
 
 TEST(CsvWarnings, NameASurfaceBrighterThanWhite) {
@@ -146,6 +156,22 @@ TEST(CsvWarnings, NameASurfaceBrighterThanWhite) {
       measurement_of(csv_header + std::string("10,60,0,1\n30,20,0,1\n30,40,0,1\n")).warnings,
       ElementsAre("pi times the median of f_r is 3.14, more than a white surface has: is the value relative to a "
                   "white standard, or in percent?"));
+}
+
+TEST(BadCsv, SaysWhereAKeyHasAnEqualsSign) {
+  EXPECT_EQ(complaint_about("# value = brdf_cosine\n" + std::string(csv_header) + "10,60,0,1\n"),
+            "a.txt:1:1: expected 'value: ...', found '='");
+  EXPECT_EQ(measurement_of("# gain = 3\n" + std::string(csv_header) + "10,60,0,1\n20,60,0,1\n").samples.size(), 2U);
+}
+
+TEST(MeasuredAt, TakesTheNearestWavelength) {
+  std::vector<BrdfMeasurement> all(2);
+  all[0].wavelength = 1.05904e-6;
+  all[1].wavelength = 1.06e-6;
+  EXPECT_EQ(measured_at(all, 1.06e-6), &all[1]);
+  EXPECT_EQ(measured_at(all, 1.0592e-6), &all[0]);
+  EXPECT_EQ(measured_at(all, 1.07e-6), nullptr);
+  EXPECT_EQ(measured_at({}, 1.06e-6), nullptr);
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ TEST(FredReader, TakesScaleAndRadians) {
   EXPECT_EQ(m.samples[0].f_r, 0.1);
 }
 
+TEST(BadFred, SaysWhereARowWasCutOff) {
+  const std::string head = "type bsdf_data\nformat angles=deg bsdf=value\n10 0\n0 0 0.1\n30 0\n";
+  EXPECT_EQ(complaint_about(head).substr(0, 46), "a.txt:6:1: expected 3 numbers, theta, phi and ");
+  EXPECT_EQ(complaint_about(head + "50 0\n0 0 0.1\n").substr(0, 46), "a.txt:6:1: expected 3 numbers, theta, phi and ");
+}
+
 TEST(BadFred, SaysWhatIsNotRead) {
   const std::string type = "type bsdf_data\n";
   EXPECT_EQ(complaint_about(type + "format angles=deg bsdf=log10\n"),
@@ -48,7 +54,8 @@ TEST(BadFred, HasRowsThatAreWrong) {
   EXPECT_EQ(complaint_about(head + "10 0\n1 2 -3\n"), "a.txt:4:5: expected a value that is not negative, found -3");
   EXPECT_EQ(complaint_about(head + "10 0\n95 2 3\n"),
             "a.txt:4:1: expected an angle from the normal of at most 90 deg, found 95");
-  EXPECT_EQ(complaint_about(head + "10 0\n"), "a.txt: holds no values, expected at least one");
+  EXPECT_EQ(complaint_about(head + "10 0\n"),
+            "a.txt:4:1: expected 3 numbers, theta, phi and value, after AOI and azimuth in the row before");
 }
 
 }  // namespace

@@ -62,6 +62,8 @@ std::string made_zemax_with(const std::string& old_text, const std::string& new_
 }
 
 TEST(BadZemax, SaysWhatIsNotRead) {
+  EXPECT_EQ(complaint_about(made_zemax + "\nDataBegin\n"),
+            "a.txt:27:1: expected the end of the file after 'DataEnd', found 'DataBegin'");
   EXPECT_EQ(complaint_about(made_zemax_with("BRDF", "BTDF")),
             "a.txt:5:13: expected BRDF (nothing else is read), found 'BTDF'");
   EXPECT_EQ(complaint_about(made_zemax_with("Content Monochrome", "Content XYZ")),
