@@ -11,6 +11,7 @@
 #include "brdf/brdf_form.h"
 #include "fit/polish.h"
 #include "fit/search.h"
+#include "fit/thinned.h"
 #include "fit/uncertainty.h"
 
 namespace lrcs {
@@ -38,15 +39,6 @@ void require_enough(const std::string& name, const std::vector<BrdfSample>& samp
   if (residual == Residual::linear) return;
   for (const BrdfSample& s : samples)
     if (!(s.f_r > 0.0)) throw InputError({name, s.line, 0}, "expected f_r > 0 for logarithmic residuals, found 0");
-}
-
-// Evenly through the file, at most `count`.
-std::vector<BrdfSample> thinned(const std::vector<BrdfSample>& samples, std::size_t count) {
-  if (samples.size() <= count) return samples;
-  std::vector<BrdfSample> few;
-  few.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) few.push_back(samples[k * samples.size() / count]);
-  return few;
 }
 
 Found least_squares(const FitProblem& problem, std::string_view form, const std::vector<BrdfSample>& samples,
@@ -82,6 +74,20 @@ void descend_with_all(const FitProblem& problem, const std::vector<std::vector<d
   found.evaluations += best.evaluations;
 }
 
+// The last polish; where it gives up in a narrow valley, from there on again.
+void finish(const FitProblem& problem, Found& found) {
+  constexpr int most_rounds = 4;
+  found.converged = false;
+  for (int round = 0; round < most_rounds && !found.converged; ++round) {
+    const Polished start = round == 0 ? static_cast<Polished>(found) : descend(problem, found.parameters, {});
+    const Polished end = polish(problem, start.parameters);
+    found.parameters = end.parameters;
+    found.squares = end.squares;
+    found.evaluations += (round == 0 ? 0 : start.evaluations) + end.evaluations;
+    found.converged = is_least(problem, found.parameters);
+  }
+}
+
 // Sought among few of the samples, polished with all.
 Found least_squares(const FitProblem& problem, std::string_view form, const std::vector<BrdfSample>& samples,
                     const FitOptions& options) {
@@ -94,14 +100,11 @@ Found least_squares(const FitProblem& problem, std::string_view form, const std:
   if (samples.size() <= most) {
     found = search(problem, options, starts);
   } else {
-    found = search(*fit_problem(form, 180, thinned(samples, most), options.residual), options, starts);
+    found =
+        search(*fit_problem(form, 180, thinned(samples, most, options.gsaa.seed), options.residual), options, starts);
     descend_with_all(problem, starts, found);
   }
-  const Polished end = polish(problem, found.parameters);
-  found.parameters = end.parameters;
-  found.squares = end.squares;
-  found.converged = end.converged;
-  found.evaluations += end.evaluations;
+  finish(problem, found);
   for (const Polished& fit : contained) found.evaluations += fit.evaluations;
   return found;
 }

@@ -107,13 +107,17 @@ class FormProblem final : public FitProblem {
     }
   }
 
-  [[nodiscard]] Eigen::MatrixX2d variance_basis() const override {
-    Eigen::MatrixX2d basis(static_cast<Eigen::Index>(rows_.size()), 2);
+  [[nodiscard]] Eigen::MatrixXd variance_basis(std::span<const double> parameters) const override {
+    const auto model = make<double>(parameters);
+    Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows_.size()), 4);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const FitRow& row = rows_[k];
-      const double measured = row.f_r * row.cos_r;
-      const double constant = residual_ == Residual::linear ? row.root_weight : row.root_weight / measured;
-      basis.row(index(k)) << constant * constant, constant * measured * constant * measured;
+      const double value = f_cos(model, row);
+      // Of a residual, by that of f_r cos_r.
+      const double slope = row.root_weight / (residual_ == Residual::linear ? 1.0 : value);
+      const double squared = slope * slope;
+      const double by_weight = squared / (row.root_weight * row.root_weight);
+      basis.row(index(k)) << squared, squared * value, squared * value * value, by_weight;
     }
     return basis;
   }

@@ -36,9 +36,10 @@ class FitProblem {
   virtual void residuals(std::span<const double> parameters, Eigen::VectorXd& residual,
                          Eigen::MatrixXd* jacobian) const = 0;
 
-  // The variance of a residual by noise of variance 1, and by noise of variance f_r^2 (both of f_r cos_r). shape: rows
-  // x 2.
-  [[nodiscard]] virtual Eigen::MatrixX2d variance_basis() const = 0;
+  // The variance of a residual by each kind of noise there may be in f_r cos_r: of the same variance everywhere (a
+  // detector's), of one that is as the value (counted photons), as its square (a source's), and as the inverse of the
+  // weight, which is what weights usually are. Values are the model's. shape: a row a residual, a column a kind.
+  [[nodiscard]] virtual Eigen::MatrixXd variance_basis(std::span<const double> parameters) const = 0;
 
   // The linear parameters that fit best where the others are as given: set in `parameters`.
   // value: the sum of squared residuals there. Non-negative least squares; logarithmic residuals are taken to first

@@ -1,24 +1,38 @@
 #include "fit/non_negative.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
+#include <vector>
 
 namespace lrcs {
-namespace {
 
-double alone(const Eigen::VectorXd& column, const Eigen::VectorXd& target) {
-  const double squares = column.squaredNorm();
-  return squares > 0.0 ? std::max(column.dot(target) / squares, 0.0) : 0.0;
-}
-
-}  // namespace
-
-Eigen::Vector2d non_negative_pair(const Eigen::MatrixX2d& columns, const Eigen::VectorXd& target) {
-  Eigen::Vector2d both = (columns.transpose() * columns).ldlt().solve(columns.transpose() * target);
-  if (both.allFinite() && both.minCoeff() >= 0.0) return both;
-  Eigen::Vector2d first(alone(columns.col(0), target), 0.0);
-  Eigen::Vector2d second(0.0, alone(columns.col(1), target));
-  return (columns * first - target).squaredNorm() <= (columns * second - target).squaredNorm() ? first : second;
+Eigen::VectorXd non_negative(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target) {
+  using Eigen::Index;
+  const Eigen::VectorXd length = columns.colwise().norm();
+  const Eigen::VectorXd scale = (length.array() > 0.0).select(length.cwiseInverse(), 0.0);
+  const Eigen::MatrixXd even = columns * scale.asDiagonal();
+  // |columns c - target|^2 less |target|^2, through a triangle as small as the unknowns are few.
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(even);
+  const Index rank = std::min(even.rows(), even.cols());
+  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
+  const Eigen::VectorXd turned = (qr.householderQ().adjoint() * target).head(rank);
+  Eigen::VectorXd best = Eigen::VectorXd::Zero(columns.cols());
+  double least = turned.squaredNorm();
+  for (unsigned set = 1; set < 1U << static_cast<unsigned>(columns.cols()); ++set) {
+    std::vector<Index> members;
+    for (Index k = 0; k < columns.cols(); ++k)
+      if ((set >> static_cast<unsigned>(k) & 1U) != 0U) members.push_back(k);
+    const Eigen::MatrixXd some = triangle(Eigen::all, members);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(some);
+    if (solver.rank() < some.cols()) continue;
+    const Eigen::VectorXd c = solver.solve(turned);
+    const double squares = (some * c - turned).squaredNorm();
+    if (!(c.minCoeff() >= 0.0) || !(squares < least)) continue;
+    least = squares;
+    best.setZero();
+    best(members) = c;
+  }
+  return best.cwiseProduct(scale);
 }
 
 }  // namespace lrcs

@@ -3,10 +3,9 @@
 
 namespace lrcs {
 
-// Non-negative least squares in two unknowns.
-// value: the c with c[0], c[1] >= 0 for which |columns c - target| is least: the free solution, or the better of the
-// two
-//   with one unknown at 0.
-[[nodiscard]] Eigen::Vector2d non_negative_pair(const Eigen::MatrixX2d& columns, const Eigen::VectorXd& target);
+// Non-negative least squares of few unknowns.
+// value: the c >= 0 for which |columns c - target| is least: the best of the free solutions of all sets of columns that
+//   are not negative. Of columns that depend on others, some are left out. domain: at most 8 columns.
+[[nodiscard]] Eigen::VectorXd non_negative(const Eigen::MatrixXd& columns, const Eigen::VectorXd& target);
 
 }  // namespace lrcs

@@ -102,13 +102,23 @@ class Search {
     return parameters_at(best);
   }
 
+  // Of the search range, and of what lies beyond.
+  static std::vector<double> near_ends(const FormParameter& p) {
+    std::vector<double> values{value_at(p, 0.02), value_at(p, 0.98)};
+    for (const double end : {p.least, p.most}) {
+      const double beyond = coordinate_of(p, end);
+      if (beyond < -0.02 || beyond > 1.02) values.push_back(value_at(p, std::clamp(beyond, -0.5, 1.5)));
+    }
+    return values;
+  }
+
   // Did any fall?
   bool neighbourhood() {
     bool fell = false;
     for (const std::size_t k : sought_)
-      for (const double end : {0.02, 0.98}) {
+      for (const double value : near_ends(problem_.parameters()[k])) {
         auto start = ends_[best_].parameters;
-        start[k] = value_at(problem_.parameters()[k], end);
+        start[k] = value;
         fell |= attempt(std::move(start));
       }
     for (int k = 0; k < options_.neighbours; ++k) {

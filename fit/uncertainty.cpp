@@ -19,6 +19,8 @@ constexpr double widest = 0.5;            // half an interval over the value
 constexpr double narrow = 1e-6;           // the same: below, no curve shows, and of clean data the rise is rounding
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
 constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
+constexpr double far_valley = 5.0;   // rise of the squares in another valley over that at the ends of an interval: from
+                                     // there on chance does not explain it, wherever noise is large
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
 // The residuals' derivatives in those parameters that are not at an end, columns of length 1.
@@ -61,17 +63,18 @@ struct Inverse {
   }
 };
 
-// Variances of the residuals: a constant share and one proportional to the square of the value, both times the weight,
-// as noise of a detector and of a source are; from the squares of the residuals by reweighted least squares.
-Eigen::VectorXd variances(const FitProblem& problem, const Linearised& l, const Eigen::MatrixXd& inverse) {
-  const Eigen::MatrixX2d basis = problem.variance_basis();
+// Variances of the residuals: a sum of what each kind of noise gives, from the squares of the residuals by reweighted
+// least squares.
+Eigen::VectorXd variances(const FitProblem& problem, const std::vector<double>& values, const Linearised& l,
+                          const Eigen::MatrixXd& inverse) {
+  const Eigen::MatrixXd basis = problem.variance_basis(values);
   const Eigen::VectorXd leverage = (l.jacobian * inverse).cwiseProduct(l.jacobian).rowwise().sum().cwiseMin(0.999);
   const Eigen::VectorXd squares = l.residual.cwiseAbs2().cwiseQuotient((1.0 - leverage.array()).matrix());
   Eigen::VectorXd variance = Eigen::VectorXd::Constant(squares.size(), squares.mean());
   for (int round = 0; round < 20; ++round) {
     const Eigen::VectorXd floor = variance.cwiseMax(1e-6 * variance.mean() + std::numeric_limits<double>::min());
-    const Eigen::MatrixX2d weighted = floor.cwiseInverse().asDiagonal() * basis;
-    variance = basis * non_negative_pair(weighted, squares.cwiseQuotient(floor));
+    const Eigen::MatrixXd weighted = floor.cwiseInverse().asDiagonal() * basis;
+    variance = basis * non_negative(weighted, squares.cwiseQuotient(floor));
   }
   return variance;
 }
@@ -91,13 +94,14 @@ class Judge {
     const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
     t_ = quantile_95(freedom);
     const double chance = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
-    deep_ = l_.residual.squaredNorm() * (1.0 + chance);
+    deep_ = l_.residual.squaredNorm() * (1.0 + far_valley * chance);
   }
 
   // Of free parameter j, with the standard error of the linearised model.
   [[nodiscard]] ParameterError95 judge(Index j, double standard_error) const {
     ParameterError95 error{standard_error, t_ * standard_error, false, ""};
     const double value = parameters_[l_.free[j]];
+    if (!std::isfinite(t_)) return {infinite, infinite, false, "there are no more samples than parameters"};
     if (inverse_.blind[j] > most_blind) return {infinite, infinite, false, "the data do not tell it from others"};
     if (error.half_width > widest * std::abs(value)) {
       error.why_not = "its 95 % interval is wider than half its value";
@@ -125,7 +129,7 @@ class Judge {
     std::vector<double> there = parameters_;
     there[l_.free[j]] += shift;
     if (!(there[l_.free[j]] >= p.least && there[l_.free[j]] <= p.most)) return 0.0;
-    const Polished again = descend(problem_, there, {30, 1e-4}, static_cast<int>(l_.free[j]));
+    const Polished again = descend(problem_, there, {60, 1e-6}, static_cast<int>(l_.free[j]));
     const double scaled = shift * l_.length[j];
     return (again.squares - l_.residual.squaredNorm()) / (scaled * scaled / inverse_.matrix(j, j));
   }
@@ -176,7 +180,7 @@ Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& pa
   const Linearised l(problem, parameters);
   if (l.free.empty()) return result;
   const Inverse inverse(l.jacobian);
-  const Eigen::VectorXd variance = variances(problem, l, inverse.matrix);
+  const Eigen::VectorXd variance = variances(problem, parameters, l, inverse.matrix);
   const Eigen::MatrixXd covariance =
       inverse.matrix * (l.jacobian.transpose() * variance.asDiagonal() * l.jacobian) * inverse.matrix;
   const Judge judge(problem, parameters, l, inverse, rivals);

@@ -20,9 +20,9 @@ struct Uncertainty {
   Eigen::MatrixXd correlation;  // [1]; rows and columns of undetermined parameters as far as they have one, else 0
 };
 
-// value: standard errors of the linearised model, noise having a constant part and one proportional to f_r, both found
-//   from the residuals; corrected by how the squares rise where the parameter is held at the ends of its interval and
-//   the others are fitted again; intervals by Student's distribution.
+// value: standard errors of the linearised model, noise being a sum of the kinds of FitProblem::variance_basis, their
+//   shares found from the residuals; corrected by how the squares rise where the parameter is held at the ends of its
+//   interval and the others are fitted again; intervals by Student's distribution.
 // A parameter is determined where it is not at an end of its range, the interval is at most half the value to each
 // side, the squares rise at its ends by what the linearised model says within a factor of 1.8 (not asked of intervals
 // below 1e-6 of the value, such as those of data without noise), and none of `rivals` (where other polishes of the same

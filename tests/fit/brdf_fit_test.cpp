@@ -174,6 +174,22 @@ TEST(BrdfFit, LooksAtAllSamplesInTheEnd) {
   expect_same_parameters(thinned, all, 1e-5);
 }
 
+// The search takes one of 50 samples, and the scans are 50 long.
+TEST(BrdfFit, FindsALobeInScansAsLongAsTheSearchsStep) {
+  const CookTorranceGgx truth(0.1, 0.8, 0.3, 0.05);
+  std::vector<BrdfSample> samples;
+  for (int i = 5; i <= 50; i += 5)
+    for (int phi = 0; phi < 50; ++phi)
+      for (int r = 0; r < 50; ++r) {
+        BrdfSample s{i * degree, (79.0 - 1.5 * r) * degree, (130 + phi) * degree};
+        s.f_r = f_r_angles(truth, s.theta_i, s.theta_r, s.phi);
+        samples.push_back(s);
+      }
+  FitOptions options = quick();
+  options.search_rows = static_cast<int>(samples.size() / 50);
+  EXPECT_LT(fit_brdf(measurement_of(samples), "cook_torrance_ggx", options).e_percent, 1e-10);
+}
+
 TEST(BrdfFit, DoesNotSeeASampleOfWeightZero) {
   const auto samples = goniometer_samples(published("metal-skin-5p"), 0.03, 5);
   auto more = samples;

@@ -22,10 +22,8 @@ class LinearProblem final : public FitProblem {
     residual = a_ * Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())) - t_;
     if (jacobian != nullptr) *jacobian = a_;
   }
-  [[nodiscard]] Eigen::MatrixX2d variance_basis() const override {
-    Eigen::MatrixX2d basis = Eigen::MatrixX2d::Zero(t_.size(), 2);
-    basis.col(0).setOnes();
-    return basis;
+  [[nodiscard]] Eigen::MatrixXd variance_basis(std::span<const double> /*parameters*/) const override {
+    return Eigen::MatrixXd::Ones(t_.size(), 1);
   }
   [[nodiscard]] double solve_linear(std::span<double> /*parameters*/) const override { return 0.0; }
 

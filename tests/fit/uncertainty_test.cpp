@@ -71,6 +71,46 @@ TEST(Uncertainty, OfLambertsReflectanceIsTheTextbooks) {
   EXPECT_NEAR(mean / (std::numbers::pi * sigma / std::sqrt(squares)), 1.0, 0.05);
 }
 
+// Every second sample ten times noisier with a hundredth of the weight, as 1/variance is; noise as the root of the
+// value, as counted photons have. The mean standard error is what the values spread, within what 200 repetitions tell
+// (5 %) and the kinds of noise cannot be told apart.
+TEST(Uncertainty, IsThatOfTheKindOfNoise) {
+  constexpr int repetitions = 200;
+  const auto truth = truth_of(published("metal-skin-5p"));
+  enum class Noise { by_weight, counted };
+  for (const Noise noise : {Noise::by_weight, Noise::counted}) {
+    std::mt19937 engine(21);
+    std::normal_distribution<double> z;
+    std::array<double, 5> sum{}, squares{}, errors{};
+    for (int repeat = 0; repeat < repetitions; ++repeat) {
+      auto samples = goniometer_samples(published("metal-skin-5p"));
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        BrdfSample& s = samples[k];
+        const double value = s.f_r * std::cos(s.theta_r);
+        const double ratio = k % 2 == 0 ? 1.0 : 10.0;
+        double sigma = 0.003 * std::sqrt(value);
+        if (noise == Noise::by_weight) {
+          sigma = 0.0003 * ratio;
+          s.weight = 1.0 / (ratio * ratio);
+        }
+        s.f_r = std::max(s.f_r + sigma * z(engine) / std::cos(s.theta_r), 0.0);
+      }
+      const auto problem = fit_problem("five_parameter", 180, samples, Residual::linear);
+      const auto found = descend(*problem, truth, {}).parameters;
+      const Uncertainty told = uncertainty(*problem, found);
+      for (std::size_t k = 0; k < 5; ++k) {
+        sum[k] += found[k] - truth[k];
+        squares[k] += std::pow(found[k] - truth[k], 2.0);
+        errors[k] += told.parameters[k].standard_error;
+      }
+    }
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double spread = std::sqrt((squares[k] - sum[k] * sum[k] / repetitions) / (repetitions - 1));
+      EXPECT_NEAR(errors[k] / repetitions / spread, 1.0, 0.2) << k;
+    }
+  }
+}
+
 // 300 trials at a chance of 95 % have a standard deviation of 1.3 %: 90 and 98 % are 4 and 2.4 of them away.
 TEST(Uncertainty, HasIntervalsThatCoverTheTruth) {
   constexpr int repetitions = 300;
@@ -132,6 +172,17 @@ TEST(Uncertainty, OfAsManySamplesAsParametersDeterminesNothing) {
   for (const auto& p : uncertainty(*problem, found).parameters) {
     EXPECT_FALSE(p.determined);
     EXPECT_FALSE(std::isfinite(p.half_width));
+  }
+}
+
+// A fit that meets every sample leaves nothing from which to tell an error.
+TEST(Uncertainty, OfAnExactFitToAsManySamplesAsParametersIsInfinite) {
+  const LinearProblem problem(Eigen::Matrix2d::Identity(), Eigen::Vector2d(0.25, 0.5), {{0.0, 1.0}, {0.0, 1.0}});
+  for (const auto& p : uncertainty(problem, {0.25, 0.5}).parameters) {
+    EXPECT_TRUE(std::isinf(p.standard_error));
+    EXPECT_TRUE(std::isinf(p.half_width));
+    EXPECT_FALSE(p.determined);
+    EXPECT_EQ(p.why_not, "there are no more samples than parameters");
   }
 }
 
