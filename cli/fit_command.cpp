@@ -115,7 +115,7 @@ std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, cons
   const fs::path facts = fs::path(flags.material).replace_extension(".json");
   write_whole_file(facts, fit_json(fit, measurement));
   std::vector<fs::path> files{flags.material, facts};
-  const auto pictures = draw_fit_pictures(flags.material, fit, measurement);
+  const auto pictures = draw_fit_pictures(flags.material, fit, measurement, flags.fit.residual);
   files.insert(files.end(), pictures.begin(), pictures.end());
   return files;
 }
@@ -175,7 +175,10 @@ void run(Flags& flags, const Common& common) {
   if (flags.material.empty()) return;
   std::vector<std::string> written;
   for (const fs::path& file : write_results(flags, best, measurement)) written.push_back(file.string());
-  if (!common.quiet) fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
+  if (common.quiet) return;
+  if (!is_measured_in_plane(measurement))
+    fmt::print(stderr, "lrcs: warning: no picture: no sample lies in the plane of incidence\n");
+  fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
 }
 
 // A number in [least, most]. CLI11's own lets NaN through and a seed wrap.
