@@ -69,6 +69,20 @@ double value_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place, const 
   return std::clamp(sum, least, most);
 }
 
+// Of the vertices that have a say.
+template <int D>
+LinearInterpolant::Span span_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place,
+                                const std::vector<double>& values) {
+  constexpr double rounding = 1e-9;
+  LinearInterpolant::Span span{std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t k = 0; k <= D; ++k) {
+    if (place.weights[k] <= rounding) continue;
+    const double value = values[mesh.cells[place.cell].vertices[k]];
+    span = {std::min(span.least, value), std::max(span.largest, value)};
+  }
+  return span;
+}
+
 // The volume (times D!) spanned by D edges.
 template <int D>
 double volume(const std::array<Point<D>, D>& edges) {
@@ -136,6 +150,7 @@ std::vector<std::uint32_t> corners_toward_folds(const SimplexMesh<D>& mesh, cons
 struct LinearInterpolant::Parts {
   struct Answer {
     double value = 0.0, steepness = 0.0;
+    LinearInterpolant::Span span;
   };
   AffineFrame frame;
   std::vector<double> values;
@@ -153,7 +168,7 @@ struct LinearInterpolant::Parts {
   [[nodiscard]] std::optional<Answer> within(const Single& /*one*/, const Vec3& /*local*/, double off, double most,
                                              bool /*steep*/) const {
     if (off > most) return std::nullopt;
-    return Answer{values.front(), 0.0};
+    return Answer{values.front(), 0.0, {values.front(), values.front()}};
   }
 
   template <int D>
@@ -164,7 +179,9 @@ struct LinearInterpolant::Parts {
     SimplexPlace<D> found = in->search.find(point);
     if (!found.exists()) found = in->hull.nearest(point, most);
     if (!found.exists()) return std::nullopt;
-    return Answer{value_at(in->mesh, found, values), steep ? steepness_at(in->mesh, found.cell, values) : 0.0};
+    if (!steep) return Answer{value_at(in->mesh, found, values), 0.0, {}};
+    return Answer{value_at(in->mesh, found, values), steepness_at(in->mesh, found.cell, values),
+                  span_at(in->mesh, found, values)};
   }
 };
 
@@ -192,6 +209,11 @@ double LinearInterpolant::nearest(const Vec3& place) const {
 
 double LinearInterpolant::steepness(const Vec3& place) const {
   return parts_->at(place, everywhere, true)->steepness;
+}
+
+std::optional<LinearInterpolant::Span> LinearInterpolant::span(const Vec3& place) const {
+  const auto answer = parts_->at(place, parts_->tolerance, true);
+  return answer ? std::optional(answer->span) : std::nullopt;
 }
 
 std::vector<LinearInterpolant::Corner> LinearInterpolant::corners_toward_folds() const {

@@ -26,6 +26,12 @@ class LinearInterpolant {
   // At least the size of the gradient there; outside, that at the nearest place.
   [[nodiscard]] double steepness(const Vec3& place) const;
 
+  // The least and the largest of the values between which that at a place is drawn. None outside the hull.
+  struct Span {
+    double least = 0.0, largest = 0.0;
+  };
+  [[nodiscard]] std::optional<Span> span(const Vec3& place) const;
+
   // The corners of those faces of the hull that look toward y < 0 or z < 0.
   struct Corner {
     Vec3 place;

@@ -91,9 +91,27 @@ std::string note_of_shape(int dimension) {
   }
 }
 
+// Where the values between which retro-reflection is drawn differ most.
+std::optional<std::string> warning_of_gaps(const LinearInterpolant& f_r) {
+  constexpr double doubtful = 5.0;  // largest over least: of an exponential fall the line is a third off half way
+  LinearInterpolant::Span worst{1.0, 1.0};
+  int where = 0;
+  for (int deg = 0; deg < 90; ++deg) {
+    const auto span = f_r.span(pair_place_retro(std::cos(deg * degree)));
+    if (!span || !(span->largest * worst.least > worst.largest * span->least)) continue;
+    worst = *span;
+    where = deg;
+  }
+  if (!(worst.largest > doubtful * worst.least)) return std::nullopt;
+  return fmt::format(
+      "samples are far apart for how f_r changes: at retro, theta = {} deg, it is drawn between values of {:.3g} and "
+      "{:.3g} /sr: a monostatic result there is a guess",
+      where, worst.least, worst.largest);
+}
+
 // Without the samples.
 BrdfMeasurement described(const BrdfMeasurement& measurement, std::size_t without_weight, const MergedPlaces& merged,
-                          int dimension) {
+                          const LinearInterpolant& f_r) {
   BrdfMeasurement words{measurement.name,  measurement.format,  measurement.wavelength, {},
                         measurement.notes, measurement.warnings};
   const auto note = [&](std::string sentence) { words.notes.push_back(std::move(sentence)); };
@@ -105,7 +123,8 @@ BrdfMeasurement described(const BrdfMeasurement& measurement, std::size_t withou
             "{} places were measured more than once, exchanged or mirrored ones too: their mean counts, from which the "
             "values differ by {:.2g} % (root mean square)",
             merged.repeated, 100.0 * merged.spread));
-  if (dimension < 3) note(note_of_shape(dimension));
+  if (f_r.dimension() < 3) note(note_of_shape(f_r.dimension()));
+  if (auto warning = warning_of_gaps(f_r)) words.warnings.push_back(std::move(*warning));
   return words;
 }
 
@@ -138,7 +157,7 @@ Tabulated::Tabulated(const BrdfMeasurement& measurement, Outside outside, const 
   const auto& [places, values, weights] = merged.merged;
   LinearInterpolant f_r = interpolant_of(merged);
   const std::size_t without_weight = measurement.samples.size() - all.places.size();
-  table_ = std::make_shared<const Table>(Table{described(measurement, without_weight, merged, f_r.dimension()), file,
+  table_ = std::make_shared<const Table>(Table{described(measurement, without_weight, merged, f_r), file,
                                                all.places.size(), places.size(),
                                                *std::max_element(values.begin(), values.end()), std::move(f_r)});
 }

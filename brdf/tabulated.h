@@ -43,7 +43,7 @@ struct MeasuredFile {
 //   these make of its own. Samples that fall together to within 1e-6 rad count as their mean by weight; samples of
 //   weight 0 do not count.
 // domain: inside the convex hull of the places and of their images (brdf/pair_place.h), to within 1e-6 rad; elsewhere
-// as Outside says. That includes gaps among the samples.
+// as Outside says. That includes gaps among the samples: a warning tells of doubtful values at retro.
 //   Directions within 1e-12 of grazing, which rounding cannot tell from those of a facet that is not seen, take the
 //   nearest value even where Outside::error holds.
 // laws: reciprocal, to the last bit; between the least and the largest sample; the same value on any thread and in any

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <set>
 
 #include "base/input_error.h"
 #include "brdf/brdf_table.h"
 #include "brdf/shadowing.h"
+#include "cli/plane_curves.h"
 #include "view/brdf_plot.h"
 #include "view/brdf_surface.h"
 #include "view/incidence_family.h"
@@ -17,74 +19,54 @@
 namespace lrcs {
 namespace {
 
+namespace fs = std::filesystem;
 constexpr double steepest_of_surface = 80.0;  // theta_r; nearer to grazing f_r may hide all else [deg]
 
-bool has_shadowing(const Material& material) {
-  return shadowing_angles(material.brdf, 0.0, 0.0, 0.0).has_value();
-}
-
 void require_shadowing(const std::string& flag, const Material& material) {
-  if (has_shadowing(material)) return;
+  if (has_shadowing(material.brdf)) return;
   throw InputError(fmt::format("{}: expected a material with a shadowing function, found '{}', model {}", flag,
                                material.name, description_of(material.brdf)));
 }
 
-// In the plane of incidence; as in the table a negative theta_r is the specular side. steps: of half a degree.
-std::vector<double> signed_angles(int steps) {
-  std::vector<double> theta_r_deg;
-  for (int k = -steps; k <= steps; ++k) theta_r_deg.push_back(0.5 * k);
-  return theta_r_deg;
-}
-
-double phi_of(double signed_theta_r_deg) {
-  return signed_theta_r_deg < 0.0 ? 180.0 * degree : 0.0;
-}
-
 // Not a number, at which the curve breaks, where it was not measured.
-double f_r_if_known(const Brdf& brdf, double theta_i_deg, double signed_theta_r_deg) {
+double f_r_if_known(const Brdf& brdf, double theta_i_deg, double theta_r_deg) {
   try {
-    return f_r_angles(brdf, theta_i_deg * degree, std::abs(signed_theta_r_deg) * degree, phi_of(signed_theta_r_deg));
+    return f_r_in_plane(brdf, theta_i_deg, theta_r_deg);
   } catch (const NotMeasured&) {
     return std::nan("");
   }
 }
 
 BrdfCurve brdf_curve(const Material& material, double theta_i_deg) {
-  BrdfCurve curve{theta_i_deg, signed_angles(170), {}};
+  constexpr int last = 170;  // 85 deg
+  BrdfCurve curve{theta_i_deg, half_degrees(last), {}};
   for (const double r_deg : curve.theta_r_deg)
     curve.f_r_per_sr.push_back(f_r_if_known(material.brdf, theta_i_deg, r_deg));
   return curve;
 }
 
-ShadowingCurve shadowing_curve(const Material& material, double theta_i_deg) {
-  ShadowingCurve curve{theta_i_deg, signed_angles(178), {}};
-  for (const double r_deg : curve.theta_r_deg)
-    curve.shadowing.push_back(
-        shadowing_angles(material.brdf, theta_i_deg * degree, std::abs(r_deg) * degree, phi_of(r_deg)).value());
-  return curve;
+// A picture whose values are there: draws it.
+using Drawing = std::function<void()>;
+
+Drawing curves_drawing(const std::string& png, const std::vector<Material>& materials,
+                       const std::vector<double>& theta_i_deg) {
+  std::vector<BrdfCurves> values;
+  for (const Material& material : materials) {
+    values.push_back({material.name, {}});
+    for (const double angle : theta_i_deg) values.back().curves.push_back(brdf_curve(material, angle));
+  }
+  if (values.size() > 1) return [=] { draw_brdf_comparison(png, values, "BRDF in the plane of incidence"); };
+  const std::string title = fmt::format("BRDF of {} in the plane of incidence", materials.front().name);
+  return [=] { draw_brdf_plot(png, values.front().curves, title); };
 }
 
-void draw_curves(const std::string& png, const std::vector<Material>& materials,
-                 const std::vector<double>& theta_i_deg) {
-  std::vector<BrdfCurves> drawn;
-  for (const Material& material : materials) {
-    drawn.push_back({material.name, {}});
-    for (const double angle : theta_i_deg) drawn.back().curves.push_back(brdf_curve(material, angle));
-  }
-  if (drawn.size() > 1) return draw_brdf_comparison(png, drawn, "BRDF in the plane of incidence");
-  draw_brdf_plot(png, drawn.front().curves,
-                 fmt::format("BRDF of {} in the plane of incidence", materials.front().name));
-}
-
-void draw_shadowing(const std::string& png, const std::vector<Material>& materials,
-                    const std::vector<double>& theta_i_deg) {
-  std::vector<ShadowingCurves> drawn;
-  for (const Material& material : materials) {
-    drawn.push_back({material.name, {}});
-    for (const double angle : theta_i_deg) drawn.back().curves.push_back(shadowing_curve(material, angle));
-  }
+Drawing shadowing_drawing(const std::string& png, const std::vector<Material>& materials,
+                          const std::vector<double>& theta_i_deg) {
+  std::vector<ShadowingCurves> values;
+  for (const Material& material : materials)
+    values.push_back(shadowing_curves(material.name, material.brdf, theta_i_deg));
   const std::string of = materials.size() > 1 ? "" : fmt::format(" of {}", materials.front().name);
-  draw_shadowing_plot(png, drawn, fmt::format("Shadowing function{} in the plane of incidence", of));
+  return [=] { draw_shadowing_plot(png, values, fmt::format("Shadowing function{} in the plane of incidence", of)); };
 }
 
 // Angles in steps, and finer ones about an angle at which a narrow lobe may stand. [deg]
@@ -113,26 +95,41 @@ std::string surface_note(double theta_i_deg) {
                      steepest_of_surface);
 }
 
-void draw_surface(const std::string& png, const Material& material, double theta_i_deg) {
+Drawing surface_drawing(const std::string& png, const Material& material, double theta_i_deg) {
   const auto f_r = [&](double theta_r, double phi) {
     return f_r_angles(material.brdf, theta_i_deg * degree, theta_r, phi);
   };
-  draw_brdf_surface(png, over_directions(theta_i_deg, f_r),
-                    {fmt::format("BRDF of {}", material.name), surface_note(theta_i_deg), "BRDF [1/sr]"});
+  const SurfaceText text{fmt::format("BRDF of {}", material.name), surface_note(theta_i_deg), "BRDF [1/sr]"};
+  return [=, values = over_directions(theta_i_deg, f_r)] { draw_brdf_surface(png, values, text); };
 }
 
-void draw_surface_shadowing(const std::string& png, const Material& material, double theta_i_deg) {
+Drawing surface_shadowing_drawing(const std::string& png, const Material& material, double theta_i_deg) {
   const auto g = [&](double theta_r, double phi) {
     return shadowing_angles(material.brdf, theta_i_deg * degree, theta_r, phi).value();
   };
-  draw_brdf_surface(
-      png, over_directions(theta_i_deg, g),
-      {fmt::format("Shadowing function of {}", material.name), surface_note(theta_i_deg), "shadowing function G", 1.0});
+  const SurfaceText text{fmt::format("Shadowing function of {}", material.name), surface_note(theta_i_deg),
+                         "shadowing function G", 1.0};
+  return [=, values = over_directions(theta_i_deg, g)] { draw_brdf_surface(png, values, text); };
+}
+
+// Where an option names a file at all.
+void require_png(const std::string& flag, const std::string& png) {
+  const fs::path file = png;
+  if (png.empty()) return;
+  if (file.extension() != ".png")
+    throw InputError(fmt::format("{}: expected a file that ends in .png, found '{}'", flag, png));
+  const fs::path folder = file.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw InputError(fmt::format("{}: no such folder: '{}'", flag, folder.string()));
 }
 
 }  // namespace
 
 void require_drawable(const BrdfPictures& pictures, const std::vector<Material>& materials) {
+  require_png("--output", pictures.curves);
+  require_png("--shadowing", pictures.shadowing);
+  require_png("--surface", pictures.surface);
+  require_png("--surface-shadowing", pictures.surface_shadowing);
   if (materials.size() > most_materials_in_a_plot)
     throw InputError(fmt::format("--with: expected at most {} materials, found {}", most_materials_in_a_plot - 1,
                                  materials.size() - 1));
@@ -145,11 +142,14 @@ void require_drawable(const BrdfPictures& pictures, const std::vector<Material>&
 
 void draw_brdf_pictures(const BrdfPictures& pictures, const std::vector<Material>& materials,
                         const std::vector<double>& theta_i_deg) {
-  if (!pictures.curves.empty()) draw_curves(pictures.curves, materials, theta_i_deg);
-  if (!pictures.shadowing.empty()) draw_shadowing(pictures.shadowing, materials, theta_i_deg);
-  if (!pictures.surface.empty()) draw_surface(pictures.surface, materials.front(), theta_i_deg.front());
+  std::vector<Drawing> drawings;
+  const Material& first = materials.front();
+  if (!pictures.curves.empty()) drawings.push_back(curves_drawing(pictures.curves, materials, theta_i_deg));
+  if (!pictures.shadowing.empty()) drawings.push_back(shadowing_drawing(pictures.shadowing, materials, theta_i_deg));
+  if (!pictures.surface.empty()) drawings.push_back(surface_drawing(pictures.surface, first, theta_i_deg.front()));
   if (!pictures.surface_shadowing.empty())
-    draw_surface_shadowing(pictures.surface_shadowing, materials.front(), theta_i_deg.front());
+    drawings.push_back(surface_shadowing_drawing(pictures.surface_shadowing, first, theta_i_deg.front()));
+  for (const Drawing& draw : drawings) draw();
 }
 
 }  // namespace lrcs

@@ -14,11 +14,13 @@ struct BrdfPictures {
   std::string surface_shadowing;  // G over them
 };
 
-// error: InputError where a picture asked for cannot be of these materials: G of a model without a shadowing function,
-//   more materials than curves in a plot can be told apart, materials to compare with but no plot of curves.
+// error: InputError for a file that does not end in .png or whose folder is not there, and where a picture asked for
+//   cannot be of these materials: G of a model without a shadowing function, more materials than curves in a plot can
+//   be told apart, materials to compare with but no plot of curves.
 void require_drawable(const BrdfPictures& pictures, const std::vector<Material>& materials);
 
-// The first material, in plots of curves beside the others. domain: require_drawable passed; theta_i in [0, 90).
+// The first material, in plots of curves beside the others. All values are there before the first file is written.
+// domain: require_drawable passed; theta_i in [0, 90).
 void draw_brdf_pictures(const BrdfPictures& pictures, const std::vector<Material>& materials,
                         const std::vector<double>& theta_i_deg);
 

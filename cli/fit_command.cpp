@@ -131,7 +131,7 @@ fs::path facts_of(const std::string& material) {
 std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
   Material material = fit.material;
   material.source = fmt::format("{} fitted by lrcs to {}, E = {:.4g} %", fit.form, measurement.name, fit.e_percent);
-  auto files = draw_fit_pictures(flags.material, fit, measurement);
+  auto files = draw_fit_pictures(flags.material, fit, measurement, flags.fit.residual);
   const fs::path facts = facts_of(flags.material);
   write_whole_file(facts, fit_json(fit, measurement));
   write_whole_file(flags.material, material_to_yaml(material));
@@ -200,7 +200,10 @@ void run(Flags& flags, const Common& common) {
   if (flags.material.empty()) return;
   std::vector<std::string> written;
   for (const fs::path& file : write_results(flags, best, measurement)) written.push_back(file.string());
-  if (!common.quiet) fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
+  if (common.quiet) return;
+  if (!is_measured_in_plane(measurement))
+    fmt::print(stderr, "lrcs: warning: no picture: no sample lies in the plane of incidence\n");
+  fmt::print(stderr, "lrcs: results in {}\n", fmt::join(written, ", "));
 }
 
 // A number in [least, most]. CLI11's own lets NaN through and a seed wrap.

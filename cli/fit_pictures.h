@@ -7,10 +7,15 @@
 
 namespace lrcs {
 
-// Draws, beside a material's file M.yaml, what was measured in the plane of incidence with the fit and its residuals
-// into M.png, and the shadowing function of a model that has one into M-shadowing.png. Samples off the plane are not
-// drawn, which the picture says. Returns the files drawn: none where nothing was measured in the plane.
+// Some sample lies in the plane of incidence: only these are drawn.
+[[nodiscard]] bool is_measured_in_plane(const BrdfMeasurement& measurement);
+
+// Draws, beside a material's file M.yaml, what was measured in the plane of incidence with the fit and its residuals,
+// of the kind that was minimised, into M.png, and the shadowing function of a model that has one into M-shadowing.png.
+// Samples off the plane are not drawn, and of many incidence angles a few spread ones, which the pictures say. Returns
+// the files drawn: none where nothing was measured in the plane.
+// time: grows with the samples by what it takes to look at each once.
 std::vector<std::filesystem::path> draw_fit_pictures(const std::filesystem::path& material, const BrdfFit& fit,
-                                                     const BrdfMeasurement& measurement);
+                                                     const BrdfMeasurement& measurement, Residual residual);
 
 }  // namespace lrcs

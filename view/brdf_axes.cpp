@@ -12,9 +12,22 @@ void mark(Axis& axis, double step) {
   for (const double value : axis.marks) axis.labels.push_back(tick_label(value, step));
 }
 
-std::string decade_label(int exponent) {
-  if (exponent >= -3 && exponent <= 3) return number_label(std::pow(10.0, exponent), 4);
-  return "1e" + number_label(exponent, 3);
+// Of 10^foot, ..., 10^top: one way of writing them on one axis.
+std::vector<std::string> decade_labels(double foot, double top) {
+  constexpr double plain = 3.0;
+  const bool is_plain = foot >= -plain && top <= plain;
+  std::vector<std::string> labels;
+  for (double decade = foot; decade <= top; decade += 1.0)
+    labels.push_back(is_plain ? number_label(std::pow(10.0, decade), 4) : "1e" + number_label(decade, 3));
+  return labels;
+}
+
+// 2, 3, ... 9 times each mark but the last.
+std::vector<double> between_decades(const std::vector<double>& marks) {
+  std::vector<double> between;
+  for (std::size_t i = 0; i + 1 < marks.size(); ++i)
+    for (int digit = 2; digit <= 9; ++digit) between.push_back(digit * marks[i]);
+  return between;
 }
 
 Axis logarithmic_axis(const std::string& title, const Extent& positive) {
@@ -23,10 +36,9 @@ Axis logarithmic_axis(const std::string& title, const Extent& positive) {
   double foot = std::max(std::floor(std::log10(positive.low)), top - most_decades);
   if (foot == top) foot -= 1.0;
   Axis axis{title, std::pow(10.0, foot), std::pow(10.0, top), {}, {}, true};
-  for (double decade = foot; decade <= top; decade += 1.0) {
-    axis.marks.push_back(std::pow(10.0, decade));
-    axis.labels.push_back(decade_label(static_cast<int>(decade)));
-  }
+  for (double decade = foot; decade <= top; decade += 1.0) axis.marks.push_back(std::pow(10.0, decade));
+  axis.labels = decade_labels(foot, top);
+  axis.minor_marks = between_decades(axis.marks);
   return axis;
 }
 
@@ -50,6 +62,13 @@ Axis linear_axis(const std::string& title, double lowest, double highest, int mo
   const double step = nice_step(highest - low, most);
   Axis axis{title, step * std::floor(low / step), step * std::ceil(highest / step), {}, {}, false};
   mark(axis, step);
+  return axis;
+}
+
+Axis symmetric_axis(const std::string& title, double reach) {
+  constexpr int steps = 5;  // a step is then less than the reach
+  Axis axis{title, -reach, reach, {}, {}, false};
+  mark(axis, nice_step(2.0 * reach, steps));
   return axis;
 }
 

@@ -25,18 +25,6 @@ void require_valid(const std::vector<BrdfCurve>& curves) {
   }
 }
 
-void require_valid(const std::vector<BrdfCurves>& materials) {
-  if (materials.empty() || materials.size() > most_materials_in_a_plot)
-    throw std::invalid_argument("a BRDF plot needs one to six materials");
-  const auto same_angle = [](const BrdfCurve& a, const BrdfCurve& b) { return a.theta_i_deg == b.theta_i_deg; };
-  const auto& first = materials.front().curves;
-  for (const BrdfCurves& material : materials) {
-    require_valid(material.curves);
-    if (!std::equal(first.begin(), first.end(), material.curves.begin(), material.curves.end(), same_angle))
-      throw std::invalid_argument("a BRDF plot needs the same incidence angles of every material");
-  }
-}
-
 // A curve with the pen it is drawn with.
 struct PennedCurve {
   const BrdfCurve* curve;
@@ -47,7 +35,7 @@ Axis angle_axis(const std::vector<PennedCurve>& curves) {
   Extent extent;
   for (const auto& [curve, pen] : curves)
     for (const double angle : curve->theta_r_deg) extent.take(angle);
-  return scattering_axis(extent);
+  return scattering_axis(extent, signed_scattering_angle);
 }
 
 Axis value_axis(const std::vector<PennedCurve>& curves) {
@@ -92,19 +80,15 @@ void draw_brdf_plot(const std::filesystem::path& png, const std::vector<BrdfCurv
 
 void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<BrdfCurves>& materials,
                           const std::string& title) {
-  require_valid(materials);
-  constexpr std::size_t most_incidences = 7;
-  const auto& first = materials.front().curves;
-  const auto chosen = spread_choice(first.size(), most_incidences);
-  std::vector<double> theta_i_deg(chosen.size());
-  std::vector<std::string> names(materials.size());
-  std::transform(chosen.begin(), chosen.end(), theta_i_deg.begin(), [&](auto i) { return first[i].theta_i_deg; });
-  std::transform(materials.begin(), materials.end(), names.begin(), [](const auto& m) { return m.material; });
+  require_family(materials);
+  for (const BrdfCurves& material : materials) require_valid(material.curves);
+  const std::size_t incidences = materials.front().curves.size();
+  const auto chosen = spread_choice(incidences, most_incidences_of_a_family);
   std::vector<PennedCurve> penned;
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (std::size_t m = 0; m < materials.size(); ++m)
       penned.push_back({&materials[m].curves[chosen[k]], family_pen(k, m)});
-  draw(png, {title, choice_note(chosen.size(), first.size()), family_legend(theta_i_deg, names)}, penned);
+  draw(png, {title, choice_note(chosen.size(), incidences), family_legend(materials, chosen)}, penned);
 }
 
 }  // namespace lrcs

@@ -6,8 +6,7 @@
 namespace lrcs {
 
 // A BRDF in the plane of incidence: f_r [1/sr] against theta_r, for one theta_i.
-// shape: theta_r_deg and f_r_per_sr have one entry a direction; theta_r rises, negative on the transmitter's other side
-//   of the normal or as the caller's convention has it (the axis shows the numbers as given).
+// shape: theta_r_deg and f_r_per_sr have one entry a direction; theta_r rises, negative on the specular side.
 // domain: angles finite; f_r >= 0. Where f_r is infinite or not a number the line breaks.
 //   Different lengths, f_r < 0, or an angle that is not finite: std::invalid_argument.
 struct BrdfCurve {

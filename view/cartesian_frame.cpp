@@ -34,6 +34,11 @@ void draw_x_marks(Canvas& canvas, const CartesianFrame& frame) {
 }
 
 void draw_y_marks(Canvas& canvas, const CartesianFrame& frame) {
+  constexpr double short_mark = 12.0;  // [pixel]
+  for (const double value : frame.y.minor_marks) {
+    const double y = frame.at(frame.x.low, value).y;
+    canvas.line({{frame.box.low.x, y}, {frame.box.low.x + short_mark, y}}, {ink, 2.0});
+  }
   for (std::size_t i = 0; i < frame.y.marks.size(); ++i) {
     const double y = frame.at(frame.x.low, frame.y.marks[i]).y;
     canvas.line({{frame.box.low.x, y}, {frame.box.high.x, y}}, {grid_grey, 2.0});

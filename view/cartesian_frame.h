@@ -15,6 +15,7 @@ struct Axis {
   std::vector<double> marks;
   std::vector<std::string> labels;
   bool logarithmic = false;
+  std::vector<double> minor_marks = {};  // short ones, without labels
 };
 
 // The ruled rectangle of a Cartesian plot.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "view/incidence_family.h"
 #include "view/marker.h"
@@ -20,11 +22,11 @@ void require_valid(const FitCurve& curve) {
   const std::size_t measured = curve.measured_theta_r_deg.size();
   const std::size_t fitted = curve.fitted_theta_r_deg.size();
   if (measured == 0 || fitted == 0) throw std::invalid_argument("a fit's curve needs measured and fitted points");
-  if (curve.measured_f_r_per_sr.size() != measured || curve.residual_percent.size() != measured ||
+  if (curve.measured_f_r_per_sr.size() != measured || curve.residual.size() != measured ||
       curve.fitted_f_r_per_sr.size() != fitted)
     throw std::invalid_argument("a fit's curve needs as many angles as values and residuals");
-  for (const auto* values : {&curve.measured_theta_r_deg, &curve.measured_f_r_per_sr, &curve.fitted_theta_r_deg,
-                             &curve.fitted_f_r_per_sr, &curve.residual_percent})
+  for (const auto* values :
+       {&curve.measured_theta_r_deg, &curve.measured_f_r_per_sr, &curve.fitted_theta_r_deg, &curve.fitted_f_r_per_sr})
     if (!all_finite(*values)) throw std::invalid_argument("a fit's curve needs finite numbers");
   const auto negative = [](double f_r) { return f_r < 0.0; };
   if (!std::isfinite(curve.theta_i_deg) ||
@@ -33,16 +35,12 @@ void require_valid(const FitCurve& curve) {
     throw std::invalid_argument("a fit's curve needs rising angles, a finite theta_i and no negative fitted value");
 }
 
-// By rising theta_i, eight at most.
-Curves chosen_of(const std::vector<FitCurve>& all) {
-  constexpr std::size_t most = 8;
+Curves by_rising_incidence(const std::vector<FitCurve>& all) {
   Curves rising;
   for (const FitCurve& curve : all) rising.push_back(&curve);
   std::stable_sort(rising.begin(), rising.end(),
                    [](const auto* a, const auto* b) { return a->theta_i_deg < b->theta_i_deg; });
-  Curves chosen;
-  for (const std::size_t i : spread_choice(rising.size(), most)) chosen.push_back(rising[i]);
-  return chosen;
+  return rising;
 }
 
 std::size_t most_points(const Curves& curves) {
@@ -56,9 +54,15 @@ bool is_dense(const Curves& curves) {
   return most_points(curves) > 90;
 }
 
+// Dense symbols have no rim: it would paint over their neighbours.
 Marker marker_of(std::size_t k, const Curves& curves) {
-  const double radius = is_dense(curves) ? 4.5 : most_points(curves) > 60 ? 7.0 : 9.0;
-  return {marker_shape(k), curve_colour(k), radius};
+  Marker marker{marker_shape(k), curve_colour(k), most_points(curves) > 60 ? 7.0 : 9.0};
+  if (is_dense(curves)) marker = {marker.shape, marker.colour, 4.5, 0.0};
+  return marker;
+}
+
+Marker legend_marker(std::size_t k) {
+  return {marker_shape(k), curve_colour(k), 8.0};
 }
 
 Pen fit_pen(std::size_t k) {
@@ -87,13 +91,23 @@ Axis value_axis(const Curves& curves, ValueScale scale) {
   return f_r_axis(all, positive, scale);
 }
 
-Axis residual_axis(const Curves& curves) {
-  constexpr double least = 0.01;  // less is rounding [%]
-  constexpr double room = 1.08;   // for the symbols of the largest
-  double largest = least;
+struct ResidualText {
+  std::string axis, note;
+  double least;  // less is rounding
+};
+
+ResidualText text_of(ResidualKind kind) {
+  if (kind == ResidualKind::logarithm) return {"ln(fit/measured)", "residual of ln f_r", 1e-4};
+  return {"residual [%]", "residual of f_r cos theta_r, in percent of the largest measured one", 0.01};
+}
+
+Axis residual_axis(const Curves& curves, const ResidualText& text) {
+  constexpr double room = 1.08;  // for the symbols of the largest
+  double largest = text.least;
   for (const FitCurve* curve : curves)
-    for (const double residual : curve->residual_percent) largest = std::max(largest, std::abs(residual));
-  return linear_axis("residual [%]", -room * largest, room * largest, 4);
+    for (const double residual : curve->residual)
+      if (std::isfinite(residual)) largest = std::max(largest, std::abs(residual));
+  return symmetric_axis(text.axis, room * largest);
 }
 
 std::string note_of(const FitPicture& picture, const Curves& curves, const Axis& values) {
@@ -101,8 +115,6 @@ std::string note_of(const FitPicture& picture, const Curves& curves, const Axis&
   for (const FitCurve* curve : curves)
     for (const double f_r : curve->measured_f_r_per_sr) below += f_r < values.low ? 1 : 0;
   std::string note = "symbols: measured; lines: fitted";
-  const std::string choice = choice_note(curves.size(), picture.curves.size());
-  if (!choice.empty()) note += "; " + choice;
   if (below > 0) note += "; " + std::to_string(below) + " measured points lie below the axis";
   return picture.note + "\n" + note;
 }
@@ -110,7 +122,7 @@ std::string note_of(const FitPicture& picture, const Curves& curves, const Axis&
 std::vector<LegendEntry> legend_of(const Curves& curves) {
   std::vector<LegendEntry> legend;
   for (std::size_t k = 0; k < curves.size(); ++k)
-    legend.push_back({incidence_label(curves[k]->theta_i_deg), fit_pen(k), marker_of(k, curves)});
+    legend.push_back({incidence_label(curves[k]->theta_i_deg), fit_pen(k), legend_marker(k)});
   return legend;
 }
 
@@ -120,7 +132,7 @@ struct Panels {
 };
 
 Panels panels_of(const Canvas& canvas, double top, const Axis& x, const Axis& values, const Axis& residuals) {
-  constexpr double residual_height = 260.0, between = 52.0;  // [pixel]
+  constexpr double residual_height = 260.0, between = 70.0;  // [pixel]
   const Box a = room_for_frame(canvas, top, x, values);
   const Box b = room_for_frame(canvas, top, x, residuals);
   const double left = std::max(a.low.x, b.low.x);
@@ -141,6 +153,25 @@ std::vector<Point> points_on(const CartesianFrame& frame, const std::vector<doub
   return points;
 }
 
+// The first of those that lie in the same square: symbols nearer than that cannot be told apart.
+std::vector<Point> thinned(const std::vector<Point>& points) {
+  constexpr double square = 2.0;  // [pixel]
+  std::set<std::pair<int, int>> taken;
+  std::vector<Point> kept;
+  for (const Point& point : points)
+    if (taken.emplace(static_cast<int>(point.x / square), static_cast<int>(point.y / square)).second)
+      kept.push_back(point);
+  return kept;
+}
+
+void draw_symbols(Canvas& canvas, const CartesianFrame& frame, const Curves& curves,
+                  const std::vector<double> FitCurve::*values) {
+  for (std::size_t k = curves.size(); k-- > 0;) {
+    const auto points = points_on(frame, curves[k]->measured_theta_r_deg, curves[k]->*values);
+    draw_markers(canvas, thinned(points), marker_of(k, curves));
+  }
+}
+
 void draw_lines(Canvas& canvas, const CartesianFrame& frame, const Curves& curves, double rim) {
   canvas.clip(frame.box);
   for (std::size_t k = curves.size(); k-- > 0;) {
@@ -159,38 +190,39 @@ void draw_values(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, c
   const CartesianFrame frame = draw_cartesian_frame(canvas, box, without_labels(x), y);
   if (!is_dense(curves)) draw_lines(canvas, frame, curves, 0.0);
   draw_outline(canvas, frame);
-  for (std::size_t k = curves.size(); k-- > 0;)
-    draw_markers(canvas, points_on(frame, curves[k]->measured_theta_r_deg, curves[k]->measured_f_r_per_sr),
-                 marker_of(k, curves));
+  draw_symbols(canvas, frame, curves, &FitCurve::measured_f_r_per_sr);
   if (is_dense(curves)) draw_lines(canvas, frame, curves, 1.5);
 }
 
-void draw_residuals(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, const Curves& curves) {
+void draw_residuals(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, const std::string& note,
+                    const Curves& curves) {
+  constexpr double above = 14.0;  // the frame [pixel]
+  canvas.text({box.low.x, box.high.y + above}, note, {.font = note_font});
   const CartesianFrame frame = draw_cartesian_frame(canvas, box, x, y);
   const auto draw_zero = [&] { canvas.line({frame.at(x.low, 0.0), frame.at(x.high, 0.0)}, {ink, 3.0}); };
   if (!is_dense(curves)) draw_zero();
-  for (std::size_t k = curves.size(); k-- > 0;)
-    draw_markers(canvas, points_on(frame, curves[k]->measured_theta_r_deg, curves[k]->residual_percent),
-                 marker_of(k, curves));
+  draw_symbols(canvas, frame, curves, &FitCurve::residual);
   if (is_dense(curves)) draw_zero();
 }
 
 }  // namespace
 
 void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture) {
-  if (picture.curves.empty()) throw std::invalid_argument("a plot needs at least one curve");
+  if (picture.curves.empty() || picture.curves.size() > most_incidences_of_a_fit)
+    throw std::invalid_argument("a plot of a fit needs one to eight curves");
   for (const FitCurve& curve : picture.curves) require_valid(curve);
-  const Curves curves = chosen_of(picture.curves);
+  const Curves curves = by_rising_incidence(picture.curves);
   const Axis x = angle_axis(curves);
   const Axis values = value_axis(curves, picture.scale);
-  const Axis residuals = residual_axis(curves);
+  const ResidualText text = text_of(picture.residuals);
+  const Axis residuals = residual_axis(curves, text);
   Canvas canvas(1600, 1300);
   constexpr double between = 14.0;  // legend and frame [pixel]
   const double top =
       draw_header(canvas, {picture.title, note_of(picture, curves, values), legend_of(curves)}) - between;
   const Panels panels = panels_of(canvas, top, x, values, residuals);
   draw_values(canvas, panels.values, x, values, curves);
-  draw_residuals(canvas, panels.residuals, x, residuals, curves);
+  draw_residuals(canvas, panels.residuals, x, residuals, text.note, curves);
   write_png(png, canvas.picture());
 }
 

@@ -57,6 +57,17 @@ std::vector<Point> outline_of(const Marker& marker, const Point& centre, double 
   return {};
 }
 
+// What the marker inks: a ring's outline goes once round outside, then once inside.
+std::vector<Point> ink_of(const Marker& marker, const Point& centre) {
+  std::vector<Point> outline = outline_of(marker, centre, 0.0);
+  if (marker.shape != MarkerShape::ring) return outline;
+  const std::vector<Point> hole = regular(centre, 40, marker.radius * std::sqrt(1.2 * 1.2 - 0.75), 0.0);
+  outline.push_back(outline.front());
+  outline.insert(outline.end(), hole.begin(), hole.end());
+  outline.push_back(hole.front());
+  return outline;
+}
+
 }  // namespace
 
 MarkerShape marker_shape(std::size_t curve) {
@@ -66,11 +77,10 @@ MarkerShape marker_shape(std::size_t curve) {
 }
 
 void draw_markers(Canvas& canvas, const std::vector<Point>& centres, const Marker& marker) {
-  constexpr double rim = 2.0;
   for (const Point& centre : centres) {
-    std::vector<Tile> tiles{{outline_of(marker, centre, rim), white}, {outline_of(marker, centre, 0.0), marker.colour}};
-    if (marker.shape == MarkerShape::ring)
-      tiles.push_back({regular(centre, 40, marker.radius * std::sqrt(1.2 * 1.2 - 0.75), 0.0), white});
+    std::vector<Tile> tiles;
+    if (marker.rim > 0.0) tiles.push_back({outline_of(marker, centre, marker.rim), white});
+    tiles.push_back({ink_of(marker, centre), marker.colour});
     canvas.tiles(tiles);
   }
 }

@@ -13,12 +13,13 @@ struct Marker {
   MarkerShape shape = MarkerShape::disc;
   Colour colour = ink;
   double radius = 10.0;
+  double rim = 2.0;  // white, so that neighbours and the line behind stay apart; 0: none [pixel]
 };
 
 // Shape number `curve`: eight that stay apart in print without colour, then again from the first.
 [[nodiscard]] MarkerShape marker_shape(std::size_t curve);
 
-// Each with a white rim, so that neighbours and the line behind stay apart. Nothing for a point that is not finite.
+// Later points lie over earlier ones. Nothing for a point that is not finite.
 // check: tests/view/marker_test.cpp measures area and centre of ink.
 void draw_markers(Canvas& canvas, const std::vector<Point>& centres, const Marker& marker);
 

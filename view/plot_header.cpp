@@ -1,5 +1,6 @@
 #include "view/plot_header.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -53,6 +54,30 @@ void draw_row(Canvas& canvas, const std::vector<LegendEntry>& entries, double y)
   }
 }
 
+bool continues_letter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;  // UTF-8
+}
+
+// As many letters as the room takes, at least one. [bytes]
+std::size_t fitting_length(const std::string& word, const Font& font, double room) {
+  std::vector<std::size_t> ends;  // of letters
+  for (std::size_t i = 1; i <= word.size(); ++i)
+    if (i == word.size() || !continues_letter(word[i])) ends.push_back(i);
+  const auto fits = [&](std::size_t end) { return text_size(word.substr(0, end), font).width <= room; };
+  return *(std::partition_point(ends.begin() + 1, ends.end(), fits) - 1);
+}
+
+// The word, or its pieces where it is too wide for a line.
+std::vector<std::string> pieces_of(std::string word, const Font& font, double room) {
+  std::vector<std::string> pieces;
+  while (!word.empty()) {
+    const std::size_t length = fitting_length(word, font, room);
+    pieces.push_back(word.substr(0, length));
+    word.erase(0, length);
+  }
+  return pieces;
+}
+
 // Broken where the text has line breaks, and between words where a line would be too wide.
 std::vector<std::string> lines_of(const std::string& text, const Font& font, double room) {
   std::vector<std::string> lines;
@@ -60,15 +85,32 @@ std::vector<std::string> lines_of(const std::string& text, const Font& font, dou
   for (std::string paragraph; std::getline(paragraphs, paragraph);) {
     std::istringstream words(paragraph);
     std::string line;
-    for (std::string word; words >> word;) {
-      std::string longer = line;
-      longer.append(line.empty() ? "" : " ").append(word);
-      const bool fits = line.empty() || text_size(longer, font).width <= room;
-      if (!fits) lines.push_back(line);
-      line = fits ? longer : word;
-    }
+    for (std::string word; words >> word;)
+      for (const std::string& piece : pieces_of(word, font, room)) {
+        std::string longer = line;
+        longer.append(line.empty() ? "" : " ").append(piece);
+        const bool fits = line.empty() || text_size(longer, font).width <= room;
+        if (!fits) lines.push_back(line);
+        line = fits ? longer : piece;
+      }
     if (!line.empty()) lines.push_back(line);
   }
+  return lines;
+}
+
+// Without its middle; `kept` of its bytes or a few less.
+std::string shortened(const std::string& text, std::size_t kept) {
+  std::size_t front = kept / 2, back = text.size() - kept / 2;
+  while (front > 0 && continues_letter(text[front])) --front;
+  while (back < text.size() && continues_letter(text[back])) ++back;
+  return text.substr(0, front) + "..." + text.substr(back);
+}
+
+std::vector<std::string> title_lines(const std::string& title, double room) {
+  constexpr std::size_t most = 2;
+  std::vector<std::string> lines = lines_of(title, title_font, room);
+  for (std::size_t kept = title.size(); lines.size() > most; kept -= kept / 16 + 1)
+    lines = lines_of(shortened(title, kept), title_font, room);
   return lines;
 }
 
@@ -82,16 +124,17 @@ void draw_centred(Canvas& canvas, const std::string& text, const Font& font, con
 
 double draw_header(Canvas& canvas, const PlotHeader& header) {
   constexpr Colour note_grey{0.35, 0.35, 0.35};
+  const double room = canvas.width() - 2.0 * margin;
   double y = canvas.height() - margin;
-  if (!header.title.empty()) {
-    draw_centred(canvas, header.title, title_font, ink, y);
+  for (const std::string& line : title_lines(header.title, room)) {
+    draw_centred(canvas, line, title_font, ink, y);
     y -= 1.35 * title_font.size;
   }
-  for (const std::string& line : lines_of(header.note, note_font, canvas.width() - 2.0 * margin)) {
+  for (const std::string& line : lines_of(header.note, note_font, room)) {
     draw_centred(canvas, line, note_font, note_grey, y);
     y -= 1.35 * note_font.size;
   }
-  for (const auto& entries : rows_of(header.legend, canvas.width() - 2.0 * margin)) {
+  for (const auto& entries : rows_of(header.legend, room)) {
     draw_row(canvas, entries, y - 0.5 * row);
     y -= row;
   }

@@ -15,8 +15,9 @@ struct LegendEntry {
   bool starts_row = false;
 };
 
-// What stands above a plot, from the top: title, a note in grey (wrapped between words, its lines one below the
-// other), the legend in rows. Empty ones take no room.
+// What stands above a plot, from the top: title, a note in grey (its lines one below the other), the legend in rows.
+// Empty ones take no room. Title and note are wrapped between words, words that are too wide within; a title of more
+// than two lines loses its middle.
 struct PlotHeader {
   std::string title;
   std::string note;

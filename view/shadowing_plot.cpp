@@ -20,31 +20,6 @@ void require_valid(const ShadowingCurve& curve) {
     throw std::invalid_argument("a shadowing curve needs finite angles and G in [0, 1]");
 }
 
-void require_valid(const std::vector<ShadowingCurves>& materials) {
-  if (materials.empty() || materials.size() > most_materials_in_a_plot)
-    throw std::invalid_argument("a shadowing plot needs one to six materials");
-  const auto same_angle = [](const ShadowingCurve& a, const ShadowingCurve& b) {
-    return a.theta_i_deg == b.theta_i_deg;
-  };
-  const auto& first = materials.front().curves;
-  if (first.empty()) throw std::invalid_argument("a plot needs at least one curve");
-  for (const ShadowingCurves& material : materials) {
-    for (const ShadowingCurve& curve : material.curves) require_valid(curve);
-    if (!std::equal(first.begin(), first.end(), material.curves.begin(), material.curves.end(), same_angle))
-      throw std::invalid_argument("a shadowing plot needs the same incidence angles of every material");
-  }
-}
-
-std::vector<LegendEntry> legend_of(const std::vector<ShadowingCurves>& materials,
-                                   const std::vector<std::size_t>& chosen) {
-  const auto& first = materials.front().curves;
-  std::vector<double> theta_i_deg(chosen.size());
-  std::vector<std::string> names(materials.size());
-  std::transform(chosen.begin(), chosen.end(), theta_i_deg.begin(), [&](auto i) { return first[i].theta_i_deg; });
-  std::transform(materials.begin(), materials.end(), names.begin(), [](const auto& m) { return m.material; });
-  return family_legend(theta_i_deg, names);
-}
-
 Axis angle_axis(const std::vector<ShadowingCurves>& materials) {
   Extent extent;
   for (const ShadowingCurves& material : materials)
@@ -63,13 +38,15 @@ Axis shadowing_axis() {
 }  // namespace
 
 void draw_shadowing_plot(const std::filesystem::path& png, const std::vector<ShadowingCurves>& materials,
-                         const std::string& title) {
-  require_valid(materials);
-  constexpr std::size_t most_incidences = 7;
+                         const std::string& title, const std::string& note) {
+  require_family(materials);
+  for (const ShadowingCurves& material : materials)
+    for (const ShadowingCurve& curve : material.curves) require_valid(curve);
   const std::size_t incidences = materials.front().curves.size();
-  const auto chosen = spread_choice(incidences, most_incidences);
+  const auto chosen = spread_choice(incidences, most_incidences_of_a_family);
   Canvas canvas(1600, 1000);
-  const double top = draw_header(canvas, {title, choice_note(chosen.size(), incidences), legend_of(materials, chosen)});
+  const double top = draw_header(
+      canvas, {title, note + "\n" + choice_note(chosen.size(), incidences), family_legend(materials, chosen)});
   const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(materials), shadowing_axis());
   for (std::size_t k = chosen.size(); k-- > 0;)
     for (std::size_t m = materials.size(); m-- > 0;) {

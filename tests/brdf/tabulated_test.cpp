@@ -212,6 +212,18 @@ TEST(Tabulated, OfOneSampleKnowsOnePlace) {
   EXPECT_THROW(static_cast<void>(f_r_angles(table, 0.5, 0.6, pi)), NotMeasured);
 }
 
+TEST(Tabulated, WarnsWhereGapsMakeRetroReflectionAGuess) {
+  const Brdf lobe = CookTorranceGgx(0.1, 0.8, 0.3, 0.1);
+  const auto zeniths = steps(0.0, 80.0, 4.0);
+  const auto azimuths = steps(0.0, 180.0, 10.0);
+  const auto warnings = [&](const std::vector<double>& incidences) {
+    return Tabulated(measured(lobe, incidences, zeniths, azimuths)).measurement().warnings;
+  };
+  ASSERT_EQ(warnings({0.0, 60.0}).size(), 1U);
+  EXPECT_THAT(warnings({0.0, 60.0})[0], HasSubstr("a monostatic result there is a guess"));
+  EXPECT_TRUE(Tabulated(measured_on_grid(smooth(), 5.0, 85.0)).measurement().warnings.empty());
+}
+
 TEST(Tabulated, RefusesNoSamplesAndTooMany) {
   EXPECT_THROW(Tabulated{measurement_of({})}, InputError);
   EXPECT_THROW(Tabulated{measurement_of({{0.5, 0.5, 0.0, 2.0, 0.0, 0}})}, InputError);

@@ -280,6 +280,29 @@ TEST(Fit, SaysHowTheFileWasRead) {
   EXPECT_NE(outcome.err.find("lrcs: note: 1 value at 90 deg from the normal"), std::string::npos) << outcome.err;
 }
 
+TEST(Fit, SaysWhyThereIsNoPictureOfDataOffThePlane) {
+  const ScratchFolder folder;
+  folder.write("data.csv", std::string(columns) + "10,10,90,0.3\n10,30,90,0.2\n30,10,90,0.25\n30,40,90,0.15\n");
+  const Words words{"fit", "data.csv", "-m", "lambert", "-o", "fit.yaml"};
+  const Outcome outcome = run_lrcs(words, {folder.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("lrcs: warning: no picture: no sample lies in the plane of incidence\n"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(folder.has("fit.png"));
+  EXPECT_EQ(run_lrcs(with(words, {"-q"}), {folder.path()}).err, "");
+}
+
+TEST(Fit, DrawsLogarithmicResidualsOfASampleThatDoesNotCount) {
+  const ScratchFolder folder;
+  folder.write("data.csv",
+               "theta_i_deg,theta_r_deg,phi_deg,f_r_per_sr,weight\n0,10,0,0.3,1\n0,30,0,0.2,1\n10,20,0,0,0\n");
+  const Outcome outcome =
+      run_lrcs({"fit", "data.csv", "-m", "lambert", "--residual", "log", "-o", "fit.yaml", "-q"}, {folder.path()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(folder.read("fit.png").substr(1, 3), "PNG");
+}
+
 TEST(Fit, WarnsOfOneAngleOfIncidenceUnlessQuiet) {
   const ScratchFolder folder;
   folder.write("data.csv", run_lrcs({"brdf", "metal-skin-5p", "--theta-i", "30", "-q"}).out);

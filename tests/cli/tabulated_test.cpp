@@ -79,6 +79,18 @@ TEST(TabulatedMaterial, HasATableOfWhatWasMeasured) {
   EXPECT_EQ(folder.read("f.png").substr(1, 3), "PNG");
 }
 
+TEST(TabulatedMaterial, IsDrawnInEveryPictureAskedForOrInNone) {
+  ScratchFolder folder;
+  with_scene(folder, "error");
+  folder.write("grey.yaml", "{model: tabulated, file: grey.csv}\n");
+  const Outcome outcome =
+      run_lrcs({"brdf", "grey.yaml", "--theta-i", "20", "-o", "f.png", "--surface", "s.png"}, {folder.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("f_r was not measured at theta_i = "), std::string::npos) << outcome.err;
+  EXPECT_FALSE(folder.has("f.png"));
+  EXPECT_FALSE(folder.has("s.png"));
+}
+
 TEST(TabulatedMaterial, WarnsOfWhatTheMeasurementWarnsOf) {
   ScratchFolder folder;
   with_scene(folder, "nearest");

@@ -105,6 +105,10 @@ std::vector<Wrong> wrong_words() {
       {{"brdf", "lambert:0.5", "--step", "x"}, "--step: expected a number, found 'x'"},
       {{"brdf", "lambert:0.5", "--step", "0.01", "--theta-i", "0:80:1"},
        "--step: expected a step > 0 deg that gives at most 100000 rows"},
+      {{"brdf", "lambert:0.5", "-o", "f.png", "--surface", "f.txt"},
+       "--surface: expected a file that ends in .png, found 'f.txt'"},
+      {{"brdf", "lambert:0.5", "-o", "f.png", "--surface", "none/f.png"}, "--surface: no such folder: 'none'"},
+      {{"brdf", "lambert:0.5", "-o", "x.txt"}, "--output: expected a file that ends in .png, found 'x.txt'"},
       {{"brdf", "lambert:0.5", "--shadowing", "g.png"},
        "--shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert "
        "reflectance=0.5"},
@@ -137,7 +141,7 @@ TEST(WrongUsage, IsOneLineThatSaysWhatWasExpected) {
     EXPECT_EQ(outcome.out, "");
   }
   EXPECT_FALSE(folder.has("box-lrcs"));
-  EXPECT_FALSE(folder.has("f.png"));
+  for (const char* picture : {"f.png", "g.png", "x.txt"}) EXPECT_FALSE(folder.has(picture)) << picture;
 }
 
 TEST(WrongUsage, OfVerbsNamesThemAll) {

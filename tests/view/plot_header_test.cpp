@@ -26,6 +26,19 @@ TEST(PlotHeader, BreaksANoteBetweenWordsWhereItIsTooWide) {
   EXPECT_LE(height_of({"", note, {}}) - none, one * (needed + 2.0));
 }
 
+TEST(PlotHeader, BreaksATitleThatIsTooWideEvenWithoutBlanks) {
+  const double none = height_of({"", "", {}}), one = height_of({"title", "", {}}) - none;
+  EXPECT_DOUBLE_EQ(height_of({std::string(60, 'x') + ": model", "", {}}) - none, 2.0 * one);
+}
+
+TEST(PlotHeader, LeavesOutTheMiddleOfATitleOfMoreThanTwoLines) {
+  const double none = height_of({"", "", {}}), one = height_of({"title", "", {}}) - none;
+  std::string letters;  // of two bytes
+  for (int k = 0; k < 300; ++k) letters += "é";
+  EXPECT_DOUBLE_EQ(height_of({std::string(1000, 'x'), "", {}}) - none, 2.0 * one);
+  EXPECT_DOUBLE_EQ(height_of({letters, "", {}}) - none, 2.0 * one);
+}
+
 TEST(PlotHeader, StartsARowOfTheLegendWhereToldTo) {
   LegendEntry second{"second", {}};
   const double one = height_of({"", "", {{"first", {}}, second}});
