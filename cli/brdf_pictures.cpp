@@ -63,6 +63,7 @@ Drawing curves_drawing(const std::string& png, const std::vector<Material>& mate
 Drawing shadowing_drawing(const std::string& png, const std::vector<Material>& materials,
                           const std::vector<double>& theta_i_deg) {
   std::vector<ShadowingCurves> values;
+  values.reserve(materials.size());
   for (const Material& material : materials)
     values.push_back(shadowing_curves(material.name, material.brdf, theta_i_deg));
   const std::string of = materials.size() > 1 ? "" : fmt::format(" of {}", materials.front().name);

@@ -94,7 +94,7 @@ class Judge {
     const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
     t_ = quantile_95(freedom);
     const double chance = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
-    deep_ = l_.residual.squaredNorm() * (1.0 + far_valley * chance);
+    rise_at_end_ = l_.residual.squaredNorm() * chance;
   }
 
   // Of free parameter j, with the standard error of the linearised model.
@@ -136,12 +136,14 @@ class Judge {
 
   [[nodiscard]] static bool is_honest(double ratio) { return ratio > 1.0 / honest_rise && ratio < honest_rise; }
 
-  // Does another valley, as deep as chance can tell, have the parameter elsewhere?
+  // Does another end, not much higher, have the parameter farther away than it can be in this valley?
   [[nodiscard]] bool has_rival(Index j, double half_width) const {
     const auto k = static_cast<std::size_t>(l_.free[j]);
-    const double apart = std::max(half_width, narrow * std::abs(parameters_[k]));
+    const double width = std::max(half_width, narrow * std::abs(parameters_[k]));
     return std::any_of(rivals_.begin(), rivals_.end(), [&](const Polished& r) {
-      return r.squares <= deep_ && std::abs(r.parameters[k] - parameters_[k]) > apart;
+      const double rise = (r.squares - l_.residual.squaredNorm()) / rise_at_end_;
+      const double reach = rise > 1.0 ? std::sqrt(honest_rise * rise) : 1.0;
+      return rise <= far_valley && std::abs(r.parameters[k] - parameters_[k]) > reach * width;
     });
   }
 
@@ -150,7 +152,8 @@ class Judge {
   const Linearised& l_;
   const Inverse& inverse_;
   const std::vector<Polished>& rivals_;
-  double t_ = 0.0, deep_ = 0.0;
+  double t_ = 0.0;
+  double rise_at_end_ = 0.0;  // of the squares, at the end of an interval, were the noise the same everywhere
 };
 
 Eigen::MatrixXd correlation_of(const Linearised& l, const Inverse& inverse, const Eigen::MatrixXd& covariance,
