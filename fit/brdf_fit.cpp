@@ -76,7 +76,7 @@ void descend_with_all(const FitProblem& problem, const std::vector<std::vector<d
 
 // The last polish; where it gives up in a narrow valley, from there on again.
 void finish(const FitProblem& problem, Found& found) {
-  constexpr int most_rounds = 4;
+  constexpr int most_rounds = 2;
   found.converged = false;
   for (int round = 0; round < most_rounds && !found.converged; ++round) {
     const Polished start = round == 0 ? static_cast<Polished>(found) : descend(problem, found.parameters, {});

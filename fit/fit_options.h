@@ -27,7 +27,7 @@ struct FitOptions {
   Residual residual = Residual::linear;
   int starts = 32;        // polishes from anywhere, besides those from the population's best
   int neighbours = 24;    // polishes from where one to three parameters of the best are moved anywhere
-  int search_rows = 500;  // the search looks at so many samples at most; the last polishes look at all
+  int search_rows = 2000;  // the search looks at so many samples at most; the last polishes look at all
 };
 
 }  // namespace lrcs

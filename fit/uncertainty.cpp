@@ -19,6 +19,7 @@ constexpr double widest = 0.5;            // half an interval over the value
 constexpr double narrow = 1e-6;           // the same: below, no curve shows, and of clean data the rise is rounding
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
 constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
+constexpr double rise_accuracy = 0.01;    // of the rise at the ends of an interval
 constexpr double far_valley = 5.0;   // rise of the squares in another valley over that at the ends of an interval: from
                                      // there on chance does not explain it, wherever noise is large
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
@@ -93,8 +94,8 @@ class Judge {
       : problem_(problem), parameters_(parameters), l_(linearised), inverse_(inverse), rivals_(rivals) {
     const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
     t_ = quantile_95(freedom);
-    const double chance = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
-    rise_at_end_ = l_.residual.squaredNorm() * chance;
+    chance_ = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
+    rise_at_end_ = l_.residual.squaredNorm() * chance_;
   }
 
   // Of free parameter j, with the standard error of the linearised model.
@@ -129,7 +130,7 @@ class Judge {
     std::vector<double> there = parameters_;
     there[l_.free[j]] += shift;
     if (!(there[l_.free[j]] >= p.least && there[l_.free[j]] <= p.most)) return 0.0;
-    const Polished again = descend(problem_, there, {60, 1e-6}, static_cast<int>(l_.free[j]));
+    const Polished again = descend(problem_, there, {60, rise_accuracy * chance_}, static_cast<int>(l_.free[j]));
     const double scaled = shift * l_.length[j];
     return (again.squares - l_.residual.squaredNorm()) / (scaled * scaled / inverse_.matrix(j, j));
   }
@@ -153,6 +154,7 @@ class Judge {
   const Inverse& inverse_;
   const std::vector<Polished>& rivals_;
   double t_ = 0.0;
+  double chance_ = 0.0;       // relative rise of the squares at the end of an interval
   double rise_at_end_ = 0.0;  // of the squares, at the end of an interval, were the noise the same everywhere
 };
 
