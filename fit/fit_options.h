@@ -25,8 +25,8 @@ enum class Residual {
 struct FitOptions {
   GsaaOptions gsaa;
   Residual residual = Residual::linear;
-  int starts = 32;        // polishes from anywhere, besides those from the population's best
-  int neighbours = 24;    // polishes from where one to three parameters of the best are moved anywhere
+  int starts = 32;         // polishes from anywhere, besides those from the population's best
+  int neighbours = 24;     // polishes from where one to three parameters of the best are moved anywhere
   int search_rows = 2000;  // the search looks at so many samples at most; the last polishes look at all
 };
 
