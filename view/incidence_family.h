@@ -34,7 +34,9 @@ template <class Material>
                                                      const std::vector<std::size_t>& incidences) {
   std::vector<double> theta_i_deg;
   std::vector<std::string> names;
+  theta_i_deg.reserve(incidences.size());
   for (const std::size_t i : incidences) theta_i_deg.push_back(materials.front().curves[i].theta_i_deg);
+  names.reserve(materials.size());
   for (const Material& material : materials) names.push_back(material.material);
   return family_legend(theta_i_deg, names);
 }
