@@ -22,7 +22,7 @@ class Contest {
     Uniform random(data_.seed ^ 0x4efU);
     for (int k = 0; k < reference; ++k)
       measure(std::string(one_descent_name), [&] { return one_descent(box_, random); });
-    const double from_truth = polished(true_parameters(data_, form_));
+    const double from_truth = polished(true_parameters(*data_.material, form_));
     for (FitRun& r : runs_) r.best = best_squares_;
     return {runs_, box_.holds(best_), is_success(from_truth, best_squares_)};
   }

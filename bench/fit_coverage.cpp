@@ -21,28 +21,21 @@ bool holds(const std::string& form, const Material& material) {
   return form == forms::NineParameterForm::name || words_of(material.brdf).form->name == form;
 }
 
-std::string line(const CoverageCase& c, const std::vector<Coverage>& all) {
-  std::string text = fmt::format("{:18}{:16}{:>4}", c.material, c.form.substr(0, c.form.find('_')),
-                                 fmt::format("{:g}", 100.0 * c.noise));
-  for (const Coverage& p : all) {
-    const std::string share =
-        p.determined == 0 ? "-" : fmt::format("{:.1f}", 100.0 * p.covered / static_cast<double>(p.determined));
-    text += fmt::format("{:>16}", fmt::format("{} {} of {}", p.parameter, share, p.determined));
-  }
-  return text + "\n";
-}
+// Of one parameter.
+struct Coverage {
+  std::string parameter;
+  int determined = 0;  // repetitions in which it is called determined
+  int covered = 0;     // of those: the interval holds the true value
+};
 
-}  // namespace
-
-std::vector<Coverage> interval_coverage(const CoverageCase& c) {
-  const Material& material = *find_in_library(c.material);
-  std::vector<BrdfFit> fits(static_cast<std::size_t>(c.repetitions));
+std::vector<Coverage> coverage(const Material& material, const std::string& form, double noise, int repetitions) {
+  std::vector<BrdfFit> fits(static_cast<std::size_t>(repetitions));
   tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t k) {
     FitOptions options;
     options.gsaa.seed = static_cast<std::uint64_t>(k) + 1;
-    fits[k] = fit_brdf(fit_data(material, c.noise, options.gsaa.seed).measurement, c.form, options);
+    fits[k] = fit_brdf(fit_data(material, noise, options.gsaa.seed).measurement, form, options);
   });
-  const std::vector<double> truth = true_parameters(fit_data(material, 0.0, 1), c.form);
+  const std::vector<double> truth = true_parameters(material, form);
   std::vector<Coverage> all(truth.size());
   for (const BrdfFit& fit : fits)
     for (std::size_t k = 0; k < truth.size(); ++k) {
@@ -55,17 +48,25 @@ std::vector<Coverage> interval_coverage(const CoverageCase& c) {
   return all;
 }
 
+std::string text_of(const Coverage& c) {
+  if (c.determined == 0) return fmt::format("{} -", c.parameter);
+  return fmt::format("{} {:.1f} of {}", c.parameter, 100.0 * c.covered / c.determined, c.determined);
+}
+
+}  // namespace
+
 void print_coverage(const std::vector<std::string>& forms, const std::vector<double>& noises, int repetitions) {
   fmt::print("\ntruth within the 95 % interval [%], of repetitions that call the parameter determined; {} a line\n",
              repetitions);
-  fmt::print("{:18}{:16}{:>4}\n", "material", "form", "noise [%]");
+  fmt::print("{:18}{:16}{:>9}\n", "material", "form", "noise [%]");
   for (const std::string& form : forms)
     for (const Material& material : material_library()) {
       if (!holds(form, material)) continue;
       for (const double noise : noises) {
         if (!(noise > 0.0)) continue;
-        const CoverageCase c{material.name, form, noise, repetitions};
-        fmt::print("{}", line(c, interval_coverage(c)));
+        fmt::print("{:18}{:16}{:>9g}", material.name, form, 100.0 * noise);
+        for (const Coverage& c : coverage(material, form, noise, repetitions)) fmt::print("{:>22}", text_of(c));
+        fmt::print("\n");
         std::fflush(stdout);
       }
     }

@@ -47,8 +47,8 @@ std::vector<FitData> all_fit_data(const std::vector<double>& noises, std::uint64
   return all;
 }
 
-std::vector<double> true_parameters(const FitData& data, std::string_view form) {
-  const auto nine = forms::NineParameterForm::values(std::get<Wu>(data.material->brdf));
+std::vector<double> true_parameters(const Material& material, std::string_view form) {
+  const auto nine = forms::NineParameterForm::values(std::get<Wu>(material.brdf));
   const std::size_t size = form == forms::FiveParameterForm::name ? 5 : 9;
   return {nine.begin(), nine.begin() + static_cast<std::ptrdiff_t>(size)};
 }

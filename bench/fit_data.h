@@ -25,6 +25,6 @@ struct FitData {
 [[nodiscard]] std::vector<FitData> all_fit_data(const std::vector<double>& noises, std::uint64_t seed);
 
 // The true values of a form's parameters: the nine, or the first five of them.
-[[nodiscard]] std::vector<double> true_parameters(const FitData& data, std::string_view form);
+[[nodiscard]] std::vector<double> true_parameters(const Material& material, std::string_view form);
 
 }  // namespace lrcs

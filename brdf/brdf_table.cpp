@@ -19,6 +19,7 @@ namespace {
 constexpr double most_rows = 100000.0;
 constexpr double albedo_accuracy = 1e-4;           // relative: three digits are shown
 constexpr double albedo_accuracy_shown = 1e-6;     // relative: seven digits are
+constexpr double model_accuracy = 1e-12;           // relative: of f_r, tests/brdf/high_precision_test.cpp
 constexpr double albedo_accuracy_measured = 1e-2;  // relative: between samples a tabulated one has kinks
 
 void require_domain(const std::vector<double>& theta_i_deg, double step_deg, double largest_deg) {
@@ -130,8 +131,7 @@ std::optional<std::string> reciprocity_warning(const Brdf& brdf) {
         worst = std::abs(there - back) / larger;
         where = fmt::format("theta {} and {} deg, phi {} deg", i, r, phi);
       }
-  constexpr double rounding = 1e-12;
-  if (worst <= rounding) return std::nullopt;
+  if (worst <= model_accuracy) return std::nullopt;
   return fmt::format("not reciprocal: f_r changes by up to {:.2g} % when the directions are exchanged ({})",
                      100.0 * worst, where);
 }

@@ -21,6 +21,14 @@ template <int D>
 struct Triangulated {
   explicit Triangulated(std::vector<Point<D>> points)
       : mesh(delaunay<D>(std::move(points))), search(mesh), hull(mesh) {}
+
+  // The place, or that of the hull nearest to it; none farther away than `most`.
+  [[nodiscard]] SimplexPlace<D> find(const Vec3& local, double most) const {
+    const Point<D> point = local.head<D>();
+    const SimplexPlace<D> found = search.find(point);
+    return found.exists() ? found : hull.nearest(point, most);
+  }
+
   SimplexMesh<D> mesh;
   SimplexSearch<D> search;
   HullSearch<D> hull;
@@ -69,14 +77,15 @@ double value_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place, const 
   return std::clamp(sum, least, most);
 }
 
+constexpr double rounding_of_weights = 1e-9;  // of a place on a face, for the vertex opposite
+
 // Of the vertices that have a say.
 template <int D>
 LinearInterpolant::Span span_at(const SimplexMesh<D>& mesh, const SimplexPlace<D>& place,
                                 const std::vector<double>& values) {
-  constexpr double rounding = 1e-9;
   LinearInterpolant::Span span{std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t k = 0; k <= D; ++k) {
-    if (place.weights[k] <= rounding) continue;
+    if (place.weights[k] <= rounding_of_weights) continue;
     const double value = values[mesh.cells[place.cell].vertices[k]];
     span = {std::min(span.least, value), std::max(span.largest, value)};
   }
@@ -148,40 +157,34 @@ std::vector<std::uint32_t> corners_toward_folds(const SimplexMesh<D>& mesh, cons
 }  // namespace
 
 struct LinearInterpolant::Parts {
-  struct Answer {
-    double value = 0.0, steepness = 0.0;
-    LinearInterpolant::Span span;
-  };
   AffineFrame frame;
   std::vector<double> values;
   double tolerance;
   Anyone triangulation;
 
-  [[nodiscard]] std::optional<Answer> at(const Vec3& place, double most, bool steep) const {
+  // What `of_simplex(mesh, where)` says of the place, or of that nearest to it; of a single sample: `of_one`. None
+  // where the triangulation is farther away than `most`.
+  template <class Answer, class OfSimplex>
+  [[nodiscard]] std::optional<Answer> ask(const Vec3& place, double most, const Answer& of_one,
+                                          const OfSimplex& of_simplex) const {
     const Vec3 local = frame.local(place);
     double off2 = 0.0;
     for (int k = frame.dimension; k < 3; ++k) off2 += local[k] * local[k];
-    const double off = std::sqrt(off2);
-    return std::visit([&](const auto& in) { return within(in, local, off, most, steep); }, triangulation);
+    if (std::sqrt(off2) > most) return std::nullopt;
+    const auto within = [&]<class Held>(const Held& in) -> std::optional<Answer> {
+      if constexpr (requires { in->mesh; }) {
+        const auto found = in->find(local, most);
+        return found.exists() ? std::optional<Answer>(of_simplex(in->mesh, found)) : std::nullopt;
+      } else {
+        return of_one;
+      }
+    };
+    return std::visit(within, triangulation);
   }
 
-  [[nodiscard]] std::optional<Answer> within(const Single& /*one*/, const Vec3& /*local*/, double off, double most,
-                                             bool /*steep*/) const {
-    if (off > most) return std::nullopt;
-    return Answer{values.front(), 0.0, {values.front(), values.front()}};
-  }
-
-  template <int D>
-  [[nodiscard]] std::optional<Answer> within(const Held<D>& in, const Vec3& local, double off, double most,
-                                             bool steep) const {
-    if (off > most) return std::nullopt;
-    const Point<D> point = local.head<D>();
-    SimplexPlace<D> found = in->search.find(point);
-    if (!found.exists()) found = in->hull.nearest(point, most);
-    if (!found.exists()) return std::nullopt;
-    if (!steep) return Answer{value_at(in->mesh, found, values), 0.0, {}};
-    return Answer{value_at(in->mesh, found, values), steepness_at(in->mesh, found.cell, values),
-                  span_at(in->mesh, found, values)};
+  [[nodiscard]] std::optional<double> value(const Vec3& place, double most) const {
+    return ask(place, most, values.front(),
+               [&](const auto& mesh, const auto& found) { return value_at(mesh, found, values); });
   }
 };
 
@@ -199,21 +202,24 @@ LinearInterpolant::LinearInterpolant(const std::vector<Vec3>& places, const std:
 }
 
 std::optional<double> LinearInterpolant::at(const Vec3& place) const {
-  const auto answer = parts_->at(place, parts_->tolerance, false);
-  return answer ? std::optional(answer->value) : std::nullopt;
+  return parts_->value(place, parts_->tolerance);
 }
 
 double LinearInterpolant::nearest(const Vec3& place) const {
-  return parts_->at(place, everywhere, false)->value;
+  return parts_->value(place, everywhere).value();
 }
 
 double LinearInterpolant::steepness(const Vec3& place) const {
-  return parts_->at(place, everywhere, true)->steepness;
+  const auto of_simplex = [&](const auto& mesh, const auto& found) {
+    return steepness_at(mesh, found.cell, parts_->values);
+  };
+  return parts_->ask(place, everywhere, 0.0, of_simplex).value();
 }
 
 std::optional<LinearInterpolant::Span> LinearInterpolant::span(const Vec3& place) const {
-  const auto answer = parts_->at(place, parts_->tolerance, true);
-  return answer ? std::optional(answer->span) : std::nullopt;
+  const double one = parts_->values.front();
+  return parts_->ask(place, parts_->tolerance, Span{one, one},
+                     [&](const auto& mesh, const auto& found) { return span_at(mesh, found, parts_->values); });
 }
 
 std::vector<LinearInterpolant::Corner> LinearInterpolant::corners_toward_folds() const {

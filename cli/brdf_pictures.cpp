@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <set>
 
 #include "base/input_error.h"
 #include "brdf/brdf_table.h"
 #include "brdf/shadowing.h"
+#include "cli/flag_words.h"
 #include "cli/plane_curves.h"
 #include "view/brdf_plot.h"
 #include "view/brdf_surface.h"
@@ -19,7 +19,6 @@
 namespace lrcs {
 namespace {
 
-namespace fs = std::filesystem;
 constexpr double steepest_of_surface = 80.0;  // theta_r; nearer to grazing f_r may hide all else [deg]
 
 void require_shadowing(const std::string& flag, const Material& material) {
@@ -115,13 +114,7 @@ Drawing surface_shadowing_drawing(const std::string& png, const Material& materi
 
 // Where an option names a file at all.
 void require_png(const std::string& flag, const std::string& png) {
-  const fs::path file = png;
-  if (png.empty()) return;
-  if (file.extension() != ".png")
-    throw InputError(fmt::format("{}: expected a file that ends in .png, found '{}'", flag, png));
-  const fs::path folder = file.parent_path();
-  if (!folder.empty() && !fs::is_directory(folder))
-    throw InputError(fmt::format("{}: no such folder: '{}'", flag, folder.string()));
+  if (!png.empty()) require_output_file(png, flag, {".png"});
 }
 
 }  // namespace

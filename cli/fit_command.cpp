@@ -141,16 +141,9 @@ std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, cons
 
 void check_output(const Flags& flags) {
   if (flags.material.empty()) return;
-  const std::string extension = fs::path(flags.material).extension().string();
-  if (extension != ".yaml" && extension != ".yml")
-    throw InputError(fmt::format("--output: expected a file that ends in .yaml, found '{}'", flags.material));
-  const fs::path folder = fs::path(flags.material).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder))
-    throw InputError(fmt::format("--output: no such folder: '{}'", folder.string()));
-  fs::path stem(flags.material);
-  stem.replace_extension();
-  for (const std::string ending : {extension.c_str(), ".json", ".png", "-shadowing.png"}) {
-    const fs::path file = stem.string() + ending;
+  require_output_file(flags.material, "--output", {".yaml", ".yml"});
+  const FitPictureFiles pictures = picture_files(flags.material);
+  for (const fs::path& file : {fs::path(flags.material), facts_of(flags.material), pictures.fit, pictures.shadowing}) {
     std::error_code none;
     if (fs::equivalent(file, flags.data, none))
       throw InputError(fmt::format("--output: would overwrite the data, '{}'", file.string()));

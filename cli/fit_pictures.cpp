@@ -120,8 +120,8 @@ std::string note_of(const BrdfFit& fit, const BrdfMeasurement& measurement, cons
   return choice.empty() ? note : note + "; " + choice;
 }
 
-fs::path draw_fit(const fs::path& material, const BrdfFit& fit, const BrdfMeasurement& measurement, Residual residual,
-                  const ByIncidence& groups) {
+void draw_fit(const fs::path& png, const BrdfFit& fit, const BrdfMeasurement& measurement, Residual residual,
+              const ByIncidence& groups) {
   const auto incidences = chosen_incidences(groups, most_incidences_of_a_fit);
   FitPicture picture;
   picture.title = fmt::format("{}: {}", measurement.name, form_in_words(fit.form));
@@ -130,21 +130,22 @@ fs::path draw_fit(const fs::path& material, const BrdfFit& fit, const BrdfMeasur
   const double largest = largest_f_cos(measurement);
   for (const double theta_i_deg : incidences)
     picture.curves.push_back(curve_of(fit.material.brdf, theta_i_deg, groups.at(theta_i_deg), residual, largest));
-  fs::path png = fs::path(material).replace_extension(".png");
   draw_fit_plot(png, picture);
-  return png;
 }
 
-fs::path draw_shadowing(const fs::path& material, const BrdfFit& fit, const ByIncidence& groups) {
+void draw_shadowing(const fs::path& png, const BrdfFit& fit, const ByIncidence& groups) {
   const auto incidences = chosen_incidences(groups, most_incidences_of_a_family);
-  fs::path png = material.parent_path() / (material.stem().string() + "-shadowing.png");
   draw_shadowing_plot(png, {shadowing_curves(fit.form, fit.material.brdf, incidences)},
                       fmt::format("Shadowing function fitted to {}", fit.material.name),
                       choice_note(incidences.size(), groups.size()));
-  return png;
 }
 
 }  // namespace
+
+FitPictureFiles picture_files(const fs::path& material) {
+  return {fs::path(material).replace_extension(".png"),
+          material.parent_path() / (material.stem().string() + "-shadowing.png")};
+}
 
 bool is_measured_in_plane(const BrdfMeasurement& measurement) {
   return std::any_of(measurement.samples.begin(), measurement.samples.end(), is_in_plane);
@@ -154,9 +155,11 @@ std::vector<fs::path> draw_fit_pictures(const fs::path& material, const BrdfFit&
                                         const BrdfMeasurement& measurement, Residual residual) {
   const ByIncidence groups = samples_in_plane(measurement);
   if (groups.empty()) return {};
-  std::vector<fs::path> drawn{draw_fit(material, fit, measurement, residual, groups)};
-  if (has_shadowing(fit.material.brdf)) drawn.push_back(draw_shadowing(material, fit, groups));
-  return drawn;
+  const FitPictureFiles files = picture_files(material);
+  draw_fit(files.fit, fit, measurement, residual, groups);
+  if (!has_shadowing(fit.material.brdf)) return {files.fit};
+  draw_shadowing(files.shadowing, fit, groups);
+  return {files.fit, files.shadowing};
 }
 
 }  // namespace lrcs

@@ -10,8 +10,14 @@ namespace lrcs {
 // Some sample lies in the plane of incidence: only these are drawn.
 [[nodiscard]] bool is_measured_in_plane(const BrdfMeasurement& measurement);
 
-// Draws, beside a material's file M.yaml, what was measured in the plane of incidence with the fit and its residuals,
-// of the kind that was minimised, into M.png, and the shadowing function of a model that has one into M-shadowing.png.
+// Beside a material's file M.yaml: M.png and M-shadowing.png.
+struct FitPictureFiles {
+  std::filesystem::path fit, shadowing;
+};
+[[nodiscard]] FitPictureFiles picture_files(const std::filesystem::path& material);
+
+// Draws what was measured in the plane of incidence with the fit and its residuals, of the kind that was minimised, and
+// the shadowing function of a model that has one, into the files beside a material's.
 // Samples off the plane are not drawn, and of many incidence angles a few spread ones, which the pictures say. Returns
 // the files drawn: none where nothing was measured in the plane.
 // time: grows with the samples by what it takes to look at each once.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -90,6 +91,15 @@ Material material_from_argument(const std::string& words) {
       !std::filesystem::exists(words, none))
     throw InputError(fmt::format("material: no such file: '{}'", words));
   return material_from_words(words);
+}
+
+void require_output_file(const std::string& file, const std::string& flag, const std::vector<std::string>& endings) {
+  const std::filesystem::path path = file;
+  if (std::find(endings.begin(), endings.end(), path.extension().string()) == endings.end())
+    throw InputError(fmt::format("{}: expected a file that ends in {}, found '{}'", flag, endings.front(), file));
+  const std::filesystem::path folder = path.parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw InputError(fmt::format("{}: no such folder: '{}'", flag, folder.string()));
 }
 
 }  // namespace lrcs

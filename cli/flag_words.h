@@ -27,6 +27,10 @@ extern const AngleDomain azimuth_domain, elevation_domain, incidence_domain;
 // "azimuth,elevation" [deg].
 [[nodiscard]] AspectAngles angle_pair_from_words(const std::string& words, const std::string& flag);
 
+// The file that a flag names can be written: it has one of these endings (the first is the one to name), and its folder
+// is there.
+void require_output_file(const std::string& file, const std::string& flag, const std::vector<std::string>& endings);
+
 // The words between the separators: one more than there are separators.
 [[nodiscard]] std::vector<std::string> split(std::string_view words, char separator);
 

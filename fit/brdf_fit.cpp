@@ -18,7 +18,6 @@ namespace lrcs {
 namespace {
 
 constexpr double least_f_r = 1e-150;  // [1/sr] the square of a smaller one is 0
-constexpr double exact = 1e-24;       // squares below are rounding
 
 // A sample of weight 0 says nothing, not even that it is there.
 std::vector<BrdfSample> weighed(const std::vector<BrdfSample>& samples) {
@@ -169,8 +168,8 @@ BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name,
   fit.rms_logarithm = rms_logarithm(fit.material.brdf, samples);
   fit.samples = samples.size();
   const auto n = static_cast<double>(fit.samples);
-  fit.criterion =
-      n * std::log(std::max(found.squares, exact) / n) + static_cast<double>(form.parameters.size()) * std::log(n);
+  fit.criterion = n * std::log(std::max(found.squares, rounding_of_squares) / n) +
+                  static_cast<double>(form.parameters.size()) * std::log(n);
   fit.evaluations = found.evaluations;
   fit.seed = options.gsaa.seed;
   fit.converged = found.converged;

@@ -28,7 +28,7 @@ struct BrdfFit {
   Eigen::MatrixXd correlation;  // [1] of the parameters' errors
   double e_percent = 0.0;       // the norm E [%]
   double rms_logarithm = 0.0;   // root mean square of ln(model/measured) where both are > 0 [1]
-  // Bayes' information criterion: n ln(mean square) + parameters ln n; squares below 1e-24 count as 1e-24
+  // Bayes' information criterion: n ln(mean square) + parameters ln n; at least rounding_of_squares
   double criterion = 0.0;
   std::size_t samples = 0;  // of weight above 0
   int evaluations = 0;

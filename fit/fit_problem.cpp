@@ -113,11 +113,10 @@ class FormProblem final : public FitProblem {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const FitRow& row = rows_[k];
       const double value = f_cos(model, row);
-      // Of a residual, by that of f_r cos_r.
-      const double slope = row.root_weight / (residual_ == Residual::linear ? 1.0 : value);
-      const double squared = slope * slope;
-      const double by_weight = squared / (row.root_weight * row.root_weight);
-      basis.row(index(k)) << squared, squared * value, squared * value * value, by_weight;
+      const double slope = residual_ == Residual::linear ? 1.0 : 1.0 / value;  // of what is weighed, by f_r cos_r
+      const double by_weight = slope * slope;
+      const double constant = row.root_weight * row.root_weight * by_weight;
+      basis.row(index(k)) << constant, constant * value, constant * value * value, by_weight;
     }
     return basis;
   }

@@ -19,6 +19,9 @@ struct FitRow {
   double root_weight;   // [1]
 };
 
+// Sum of the squares of linear residuals, which is 1 where the model is 0: up to here the models' own error, 1e-12.
+inline constexpr double rounding_of_squares = 1e-24;
+
 // The differences between a form of a model and samples, as functions of the form's parameters.
 // value: residual [1], scaled so that their squares add up to E/100 (linear residuals), or to the weighted mean square
 //   of ln(f_r/measured) (logarithmic ones).

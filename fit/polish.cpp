@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include "fit/ceres_residuals.h"
+#include "fit/linearised.h"
 
 namespace lrcs {
 namespace {
@@ -60,23 +61,12 @@ Polished polish(const FitProblem& problem, const std::vector<double>& start) {
 
 bool is_least(const FitProblem& problem, const std::vector<double>& parameters) {
   constexpr double worth_while = 1e-6;  // relative fall of the squares
-  constexpr double rounding = 1e-24;    // squares
-  Eigen::VectorXd residual;
-  Eigen::MatrixXd jacobian;
-  problem.residuals(parameters, residual, &jacobian);
-  if (!(residual.squaredNorm() > rounding)) return true;
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const auto p = static_cast<std::size_t>(k);
-    const double size = jacobian.col(k).norm();
-    if (!(size > 0.0) || is_at_end(problem.parameters()[p], parameters[p])) continue;
-    jacobian.col(k) /= size;
-    free.push_back(k);
-  }
-  if (free.empty()) return true;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian(Eigen::all, free));
-  const Eigen::VectorXd along = (qr.householderQ().adjoint() * residual).head(qr.rank());
-  return along.squaredNorm() <= worth_while * residual.squaredNorm();
+  const Linearised l(problem, parameters);
+  const double squares = l.residual.squaredNorm();
+  if (squares <= rounding_of_squares || l.free.empty()) return true;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(l.jacobian);
+  const Eigen::VectorXd along = (qr.householderQ().adjoint() * l.residual).head(qr.rank());
+  return along.squaredNorm() <= worth_while * squares;
 }
 
 }  // namespace lrcs

@@ -14,6 +14,8 @@ constexpr Patience short_patience{40, 1e-6};
 constexpr int from_population = 4;
 constexpr double unlike = 0.15;  // [part of the search range] in some coordinate
 constexpr int tries = 8;         // places anywhere of which the best is polished
+constexpr double inside = 0.02;  // [part of the search range] from its ends
+constexpr double beyond = 0.5;   // the same, outside
 constexpr int most_rounds = 4;
 constexpr double worth_while = 1e-4;  // relative fall of the squares
 constexpr int finalists = 3;
@@ -102,13 +104,11 @@ class Search {
     return parameters_at(best);
   }
 
-  // Of the search range, and of what lies beyond.
+  // Near both ends of the search range; and where the parameter may go on, beyond.
   static std::vector<double> near_ends(const FormParameter& p) {
-    std::vector<double> values{value_at(p, 0.02), value_at(p, 0.98)};
-    for (const double end : {p.least, p.most}) {
-      const double beyond = coordinate_of(p, end);
-      if (beyond < -0.02 || beyond > 1.02) values.push_back(value_at(p, std::clamp(beyond, -0.5, 1.5)));
-    }
+    std::vector<double> values{value_at(p, inside), value_at(p, 1.0 - inside)};
+    if (coordinate_of(p, p.least) < -inside) values.push_back(value_at(p, -beyond));
+    if (coordinate_of(p, p.most) > 1.0 + inside) values.push_back(value_at(p, 1.0 + beyond));
     return values;
   }
 

@@ -8,6 +8,7 @@
 
 #include "fit/coordinate.h"
 #include "fit/descent.h"
+#include "fit/linearised.h"
 #include "fit/non_negative.h"
 
 namespace lrcs {
@@ -23,26 +24,6 @@ constexpr double rise_accuracy = 0.01;    // of the rise at the ends of an inter
 constexpr double far_valley = 5.0;   // rise of the squares in another valley over that at the ends of an interval: from
                                      // there on chance does not explain it, wherever noise is large
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
-
-// The residuals' derivatives in those parameters that are not at an end, columns of length 1.
-struct Linearised {
-  std::vector<Index> free;
-  Eigen::VectorXd residual, length;
-  Eigen::MatrixXd jacobian;
-
-  Linearised(const FitProblem& problem, const std::vector<double>& values) {
-    Eigen::MatrixXd all;
-    problem.residuals(values, residual, &all);
-    for (Index k = 0; k < all.cols(); ++k)
-      if (!is_at_end(problem.parameters()[k], values[k]) && all.col(k).norm() > 0.0) free.push_back(k);
-    jacobian.resize(all.rows(), static_cast<Index>(free.size()));
-    length.resize(jacobian.cols());
-    for (Index j = 0; j < jacobian.cols(); ++j) {
-      length[j] = all.col(free[j]).norm();
-      jacobian.col(j) = all.col(free[j]) / length[j];
-    }
-  }
-};
 
 // (J^T J)^-1 on the directions that the data tell of; `blind`: how far each parameter lies along those they do not.
 struct Inverse {
@@ -95,7 +76,6 @@ class Judge {
     const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
     t_ = quantile_95(freedom);
     chance_ = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
-    rise_at_end_ = l_.residual.squaredNorm() * chance_;
   }
 
   // Of free parameter j, with the standard error of the linearised model.
@@ -142,7 +122,7 @@ class Judge {
     const auto k = static_cast<std::size_t>(l_.free[j]);
     const double width = std::max(half_width, narrow * std::abs(parameters_[k]));
     return std::any_of(rivals_.begin(), rivals_.end(), [&](const Polished& r) {
-      const double rise = (r.squares - l_.residual.squaredNorm()) / rise_at_end_;
+      const double rise = (r.squares / l_.residual.squaredNorm() - 1.0) / chance_;
       const double reach = rise > 1.0 ? std::sqrt(honest_rise * rise) : 1.0;
       return rise <= far_valley && std::abs(r.parameters[k] - parameters_[k]) > reach * width;
     });
@@ -154,8 +134,7 @@ class Judge {
   const Inverse& inverse_;
   const std::vector<Polished>& rivals_;
   double t_ = 0.0;
-  double chance_ = 0.0;       // relative rise of the squares at the end of an interval
-  double rise_at_end_ = 0.0;  // of the squares, at the end of an interval, were the noise the same everywhere
+  double chance_ = 0.0;  // relative rise of the squares at the end of an interval, were noise the same everywhere
 };
 
 Eigen::MatrixXd correlation_of(const Linearised& l, const Inverse& inverse, const Eigen::MatrixXd& covariance,

@@ -26,8 +26,9 @@ struct Uncertainty {
 // A parameter is determined where it is not at an end of its range, the interval is at most half the value to each
 // side, the squares rise at its ends by what the linearised model says within a factor of 1.8 (not asked of intervals
 // below 1e-6 of the value, such as those of data without noise), and none of `rivals` (where other polishes of the same
-// problem ended) lies outside the interval with squares that chance cannot tell from the least.
-// check: coverage of the intervals in tests/fit/uncertainty_test.cpp.
+// problem ended) whose squares rise by less than five times what they do at the interval's ends has it farther away
+// than a valley of that shape reaches at that height, within the same factor. check: coverage of the intervals in
+// tests/fit/uncertainty_test.cpp.
 [[nodiscard]] Uncertainty uncertainty(const FitProblem& problem, const std::vector<double>& parameters,
                                       const std::vector<Polished>& rivals = {});
 

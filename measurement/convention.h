@@ -21,7 +21,7 @@ struct Said {
 
 // Takes what is said where `scanner` is. error: InputError where another line said otherwise.
 template <class T>
-void set(std::optional<Said<T>>& said, T value, const TextScanner& scanner, std::string_view key) {
+void take_said(std::optional<Said<T>>& said, T value, const TextScanner& scanner, std::string_view key) {
   if (said && said->value != value)
     scanner.fail(fmt::format("line {} says another {}, expected one", said->place.line, key));
   if (!said) said = Said<T>{value, scanner.place()};

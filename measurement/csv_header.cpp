@@ -68,10 +68,10 @@ void read_comment(const TextScanner& scanner, std::string_view comment, CsvComme
   if (colon == std::string_view::npos) return refuse_equals_sign(scanner, comment);
   const std::string key = trimmed(comment.substr(0, colon));
   const std::string value = trimmed(comment.substr(colon + 1));
-  if (key == "wavelength") return set(said.wavelength, length(scanner, value), scanner, key);
+  if (key == "wavelength") return take_said(said.wavelength, length(scanner, value), scanner, key);
   if (key == "azimuth_of_specular")
-    return set(said.convention.azimuth_of_specular, azimuth(scanner, value), scanner, key);
-  if (key == "value") return set(said.convention.value_has_cosine, has_cosine(scanner, value), scanner, key);
+    return take_said(said.convention.azimuth_of_specular, azimuth(scanner, value), scanner, key);
+  if (key == "value") return take_said(said.convention.value_has_cosine, has_cosine(scanner, value), scanner, key);
   if (key.size() > longest_name) return;
   const std::string meant = did_you_mean(key, {keys.begin(), keys.end()});
   if (!meant.empty()) scanner.fail(fmt::format("unknown key '{}'{}", shown(key), meant));

@@ -52,7 +52,7 @@ MeasurementBuilder::MeasurementBuilder(std::string file, std::string format) : f
 }
 
 void MeasurementBuilder::Sizes::see(double angle) {
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-9;  // [deg] of degrees that went through radians
   const double size = std::abs(angle / degree);
   if (size < rounding) return;
   least = least > 0.0 ? std::min(least, size) : size;

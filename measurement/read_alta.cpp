@@ -73,11 +73,11 @@ struct AltaHeader {
     if (keyword == "FORMAT") require_word(words, "text", "text data (binary ones are not read)");
     if (keyword == "PARAM_IN") {
       const Param found = read_param(words);
-      set(param, found, words, keyword);
+      take_said(param, found, words, keyword);
     }
     if (keyword == "PARAM_OUT") {
       const bool found = read_has_cosine(words);
-      set(value_has_cosine, found, words, keyword);
+      take_said(value_has_cosine, found, words, keyword);
     }
   }
 

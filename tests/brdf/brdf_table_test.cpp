@@ -46,6 +46,18 @@ TEST(BrdfTable, WarnsWhereWuPassesOneAndIsNotReciprocal) {
   EXPECT_THAT(warnings[1], HasSubstr("not reciprocal: f_r changes by up to 83 %"));
 }
 
+TEST(BrdfTable, SaysBetweenWhichAnglesTheAlbedoPassesOne) {
+  // B (cos_i cos_r)^(m/2) has the albedo 2 pi B cos_i^(m/2) / (2 + m/2): 5.73 at 0 deg, 1 at 20.6 deg.
+  const auto warnings = brdf_warnings(Steinvall(0.0, 26.0, 0.1, 53.0));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0], "the albedo passes 1 between theta_i = 0 and 20 deg (5.73 at 0 deg)");
+}
+
+TEST(BrdfTable, DoesNotTakeRoundingForALackOfReciprocity) {
+  const Wu without_diffuse({0.1, 0.3, -5.0, 1.0, 0.0});
+  EXPECT_THAT(brdf_warnings(without_diffuse), testing::Each(testing::Not(HasSubstr("not reciprocal"))));
+}
+
 TEST(BrdfTable, HasNothingToWarnOfForLambert) {
   EXPECT_THAT(brdf_warnings(Lambert(1.0)), testing::IsEmpty());
   EXPECT_THAT(brdf_table({"white", Lambert(1.0), 0.0, ""}, {0.0}), testing::Not(HasSubstr("wavelength")));

@@ -131,6 +131,19 @@ TEST(LinearInterpolant, IsNowhereSteeperThanItSays) {
   }
 }
 
+TEST(LinearInterpolant, IsDrawnBetweenTheValuesOfTheCornersThatHaveASay) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const LinearInterpolant f(corners, {1.0, 2.0, 3.0, 4.0}, tolerance);
+  const auto span_at = [&](double x, double y, double z) {
+    const auto span = f.span({x, y, z}).value();
+    return std::pair(span.least, span.largest);
+  };
+  EXPECT_EQ(span_at(0.2, 0.2, 0.2), std::pair(1.0, 4.0));
+  EXPECT_EQ(span_at(0.4, 0.6, 0.0), std::pair(2.0, 3.0));  // on an edge
+  EXPECT_EQ(span_at(0.0, 0.0, 1.0), std::pair(4.0, 4.0));
+  EXPECT_FALSE(f.span({1.0, 1.0, 1.0}).has_value());
+}
+
 TEST(MergedPlaces, AreTheMeanByWeightOfWhatFallsTogether) {
   const Vec3 a(0.1, 0.2, 0.3), b(0.1 + 5e-7, 0.2, 0.3), c(0.1 + 5e-6, 0.2, 0.3);
   const auto [merged, repeated, spread] = merge_places({{a, c, b}, {1.0, 7.0, 4.0}, {1.0, 1.0, 2.0}}, tolerance);

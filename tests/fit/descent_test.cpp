@@ -103,5 +103,23 @@ TEST(Descent, EndsWhereCeresEnds) {
   }
 }
 
+// A straight line through three points that lie on none: the least squares are not 0.
+TEST(IsLeast, KnowsTheBottomWhateverTheUnits) {
+  for (const double unit : {1e-6, 1.0, 1e6}) {
+    Eigen::MatrixXd a(3, 2);
+    a << 1.0, 0.0, 1.0, unit, 1.0, 2.0 * unit;
+    const Eigen::Vector3d t(0.0, 1.0, 1.0);
+    const LinearProblem line(a, t, {{-10.0, 10.0}, {-1e8, 1e8}});
+    EXPECT_TRUE(is_least(line, {1.0 / 6.0, 0.5 / unit})) << unit;
+    EXPECT_FALSE(is_least(line, {1.0 / 6.0 + 0.01, 0.5 / unit})) << unit;
+    EXPECT_FALSE(is_least(line, {1.0 / 6.0, 0.51 / unit})) << unit;
+  }
+}
+
+TEST(IsLeast, HoldsAParameterAtItsEnd) {
+  EXPECT_TRUE(is_least(bowl(-2.0, 0.5, 0.0, 1.0), {0.0, 0.5 - 0.1 * 2.0 / 1.01}));
+  EXPECT_FALSE(is_least(bowl(-2.0, 0.5, 0.0, 1.0), {0.0, 0.6}));
+}
+
 }  // namespace
 }  // namespace lrcs
