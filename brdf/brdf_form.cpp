@@ -14,7 +14,9 @@ Brdf make(const std::vector<double>& values, int azimuth_of_specular) {
 
 template <class Form>
 BrdfForm form() {
-  BrdfForm form{std::string(Form::name), std::string(Form::description), {}, Form::has_azimuth_of_specular, make<Form>};
+  BrdfForm form{std::string(Form::name),        std::string(Form::title),
+                std::string(Form::description), {},
+                Form::has_azimuth_of_specular,  make<Form>};
   for (const FormParameter& p : Form::parameters) form.parameters.emplace_back(p.name);
   return form;
 }

@@ -11,6 +11,7 @@ namespace lrcs {
 // One way to write a model down: what `model:` names in a scene file. A model may have several: Wu's has two.
 struct BrdfForm {
   std::string name;
+  std::string title;  // in a picture
   std::string description;
   std::vector<std::string> parameters;  // keys, in the order of the values
   bool has_azimuth_of_specular = false;

@@ -23,6 +23,7 @@ struct FormParameter {
 };
 
 // The forms: every way to write a model down, as types. `model: name` in a scene file. A model may have several.
+//   title          in a picture
 //   parameters     in the order of the values
 //   make<T>(values, azimuth_of_specular)   the model on that scalar; ParameterError outside its domain
 //   values(model)  the inverse of make, on doubles
@@ -38,7 +39,7 @@ constexpr FormParameter linear_parameter(std::string_view name, std::string_view
 }
 
 struct LambertForm {
-  static constexpr std::string_view name = "lambert", description = "ideally diffuse";
+  static constexpr std::string_view name = "lambert", title = "Lambert", description = "ideally diffuse";
   static constexpr bool has_azimuth_of_specular = false;
   static constexpr std::array parameters{linear_parameter("reflectance", "albedo [1]", 1.0)};
   template <class T>
@@ -60,7 +61,8 @@ inline constexpr std::array wu_parameters{
     FormParameter{"v_p", "delay of that growth [1]", 1e-4, 1e4, 0.05, 50.0, ratio}};
 
 struct FiveParameterForm {
-  static constexpr std::string_view name = "five_parameter", description = "Wu 2002, empirical shadowing";
+  static constexpr std::string_view name = "five_parameter", title = "five parameters",
+                                    description = "Wu 2002, empirical shadowing";
   static constexpr bool has_azimuth_of_specular = true;
   static constexpr std::array parameters{wu_parameters[0], wu_parameters[1], wu_parameters[2], wu_parameters[3],
                                          wu_parameters[4]};
@@ -77,7 +79,8 @@ struct FiveParameterForm {
 };
 
 struct NineParameterForm {
-  static constexpr std::string_view name = "nine_parameter", description = "Wu 2002, fitted shadowing";
+  static constexpr std::string_view name = "nine_parameter", title = "nine parameters",
+                                    description = "Wu 2002, fitted shadowing";
   static constexpr bool has_azimuth_of_specular = true;
   static constexpr std::array parameters = wu_parameters;
   template <class T>
@@ -91,7 +94,8 @@ struct NineParameterForm {
 };
 
 struct SteinvallForm {
-  static constexpr std::string_view name = "steinvall", description = "Steinvall 2000, lobe and cosine power";
+  static constexpr std::string_view name = "steinvall", title = "Steinvall",
+                                    description = "Steinvall 2000, lobe and cosine power";
   static constexpr bool has_azimuth_of_specular = false;
   static constexpr std::array parameters{
       linear_parameter("A", "height of the lobe [1/sr]", 1e10),
@@ -106,7 +110,8 @@ struct SteinvallForm {
 };
 
 struct PhongForm {
-  static constexpr std::string_view name = "phong", description = "Phong 1975, cosine power about specular";
+  static constexpr std::string_view name = "phong", title = "Phong",
+                                    description = "Phong 1975, cosine power about specular";
   static constexpr bool has_azimuth_of_specular = false;
   static constexpr std::array parameters{linear_parameter("kd", "diffuse albedo [1]", 1e10),
                                          linear_parameter("ks", "albedo of the lobe [1]", 1e10),
@@ -138,12 +143,13 @@ struct CookTorranceForm {
 };
 
 struct CookTorranceBeckmannForm : CookTorranceForm<Beckmann> {
-  static constexpr std::string_view name = "cook_torrance_beckmann",
+  static constexpr std::string_view name = "cook_torrance_beckmann", title = "Cook-Torrance, Beckmann",
                                     description = "Cook and Torrance 1982, Gaussian slopes";
 };
 
 struct CookTorranceGgxForm : CookTorranceForm<Ggx> {
-  static constexpr std::string_view name = "cook_torrance_ggx", description = "Cook and Torrance 1982, GGX slopes";
+  static constexpr std::string_view name = "cook_torrance_ggx", title = "Cook-Torrance, GGX",
+                                    description = "Cook and Torrance 1982, GGX slopes";
 };
 
 }  // namespace forms

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "base/input_error.h"
 #include "brdf/brdf_table.h"
@@ -112,18 +115,26 @@ Drawing surface_shadowing_drawing(const std::string& png, const Material& materi
   return [=, values = over_directions(theta_i_deg, g)] { draw_brdf_surface(png, values, text); };
 }
 
-// Where an option names a file at all.
-void require_png(const std::string& flag, const std::string& png) {
-  if (!png.empty()) require_output_file(png, flag, {".png"});
+// Where an option names a file at all; no two the same one.
+void require_png_files(const BrdfPictures& pictures) {
+  std::map<std::filesystem::path, std::string> flag_of;
+  for (const auto& [flag, png] : {std::pair{"--output", &pictures.curves},
+                                  {"--shadowing", &pictures.shadowing},
+                                  {"--surface", &pictures.surface},
+                                  {"--surface-shadowing", &pictures.surface_shadowing}}) {
+    if (png->empty()) continue;
+    require_output_file(*png, flag, {".png"});
+    const auto [other, is_new] =
+        flag_of.emplace(std::filesystem::weakly_canonical(std::filesystem::absolute(*png)), flag);
+    if (!is_new)
+      throw InputError(fmt::format("{}: would overwrite the picture of {}, '{}'", flag, other->second, *png));
+  }
 }
 
 }  // namespace
 
 void require_drawable(const BrdfPictures& pictures, const std::vector<Material>& materials) {
-  require_png("--output", pictures.curves);
-  require_png("--shadowing", pictures.shadowing);
-  require_png("--surface", pictures.surface);
-  require_png("--surface-shadowing", pictures.surface_shadowing);
+  require_png_files(pictures);
   if (materials.size() > most_materials_in_a_plot)
     throw InputError(fmt::format("--with: expected at most {} materials, found {}", most_materials_in_a_plot - 1,
                                  materials.size() - 1));

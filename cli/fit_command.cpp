@@ -157,6 +157,14 @@ void say(const BrdfMeasurement& measurement, const Common& common) {
   for (const auto& warning : measurement.warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }
 
+// Of the measurement's warnings, which come first, all are said before.
+void say(const BrdfFit& fit, const BrdfMeasurement& measurement) {
+  auto warnings = brdf_warnings(fit.material.brdf);
+  warnings.insert(warnings.begin(), fit.warnings.begin() + static_cast<std::ptrdiff_t>(measurement.warnings.size()),
+                  fit.warnings.end());
+  for (const auto& warning : warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+}
+
 // Of several models those with fewer parameters than there are samples that count: as many are met by any.
 std::vector<BrdfFit> fitted(const std::vector<std::string>& models, const BrdfMeasurement& measurement,
                             const FitOptions& options, const Common& common) {
@@ -188,8 +196,7 @@ void run(Flags& flags, const Common& common) {
                                           [](const BrdfFit& a, const BrdfFit& b) { return a.criterion < b.criterion; });
   if (models.size() > 1) fmt::print("{}\n", comparison_text(fits));
   fmt::print("{}", fit_text(best));
-  if (!common.quiet)
-    for (const auto& warning : brdf_warnings(best.material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+  if (!common.quiet) say(best, measurement);
   if (flags.material.empty()) return;
   std::vector<std::string> written;
   for (const fs::path& file : write_results(flags, best, measurement)) written.push_back(file.string());

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/direction.h"
+#include "brdf/brdf_form.h"
 #include "cli/plane_curves.h"
 #include "view/fit_plot.h"
 #include "view/incidence_family.h"
@@ -93,21 +94,6 @@ FitCurve curve_of(const Brdf& brdf, double theta_i_deg, const std::vector<const 
   return curve;
 }
 
-// "Cook-Torrance, GGX"; a form not named here by its own name.
-std::string form_in_words(std::string form) {
-  static const std::map<std::string, std::string> words{{"lambert", "Lambert"},
-                                                        {"five_parameter", "five parameters"},
-                                                        {"nine_parameter", "nine parameters"},
-                                                        {"steinvall", "Steinvall"},
-                                                        {"phong", "Phong"},
-                                                        {"cook_torrance_beckmann", "Cook-Torrance, Beckmann"},
-                                                        {"cook_torrance_ggx", "Cook-Torrance, GGX"}};
-  const auto found = words.find(form);
-  if (found != words.end()) return found->second;
-  std::replace(form.begin(), form.end(), '_', ' ');
-  return form;
-}
-
 std::string note_of(const BrdfFit& fit, const BrdfMeasurement& measurement, const ByIncidence& groups,
                     std::size_t drawn) {
   std::string note = fmt::format("E = {:.4g} %", fit.e_percent);
@@ -124,7 +110,7 @@ void draw_fit(const fs::path& png, const BrdfFit& fit, const BrdfMeasurement& me
               const ByIncidence& groups) {
   const auto incidences = chosen_incidences(groups, most_incidences_of_a_fit);
   FitPicture picture;
-  picture.title = fmt::format("{}: {}", measurement.name, form_in_words(fit.form));
+  picture.title = fmt::format("{}: {}", measurement.name, find_brdf_form(fit.form)->title);
   picture.note = note_of(fit, measurement, groups, incidences.size());
   picture.residuals = residual == Residual::linear ? ResidualKind::percent_of_largest : ResidualKind::logarithm;
   const double largest = largest_f_cos(measurement);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 
 #include "base/compensated_sum.h"
 #include "base/input_error.h"
@@ -132,6 +134,30 @@ void set_parameters(BrdfFit& fit, const FitProblem& problem, const std::vector<d
   fit.correlation = errors.correlation;
 }
 
+// How few samples make up half of what E is measured in.
+std::size_t half_of_the_signal(const std::vector<BrdfSample>& samples) {
+  std::vector<double> squares;
+  squares.reserve(samples.size());
+  for (const BrdfSample& s : samples) squares.push_back(s.weight * std::pow(s.f_r * std::cos(s.theta_r), 2.0));
+  std::sort(squares.begin(), squares.end(), std::greater<>());
+  const double half = 0.5 * std::accumulate(squares.begin(), squares.end(), 0.0);
+  std::size_t count = 0;
+  for (double sum = 0.0; sum < half; ++count) sum += squares[count];
+  return count;
+}
+
+// A lobe that is narrower than the steps between samples.
+void warn_of_few(const std::vector<BrdfSample>& samples, std::vector<std::string>& warnings) {
+  constexpr double few = 0.01;  // [of the samples]
+  const std::size_t count = half_of_the_signal(samples);
+  if (static_cast<double>(count) <= few * static_cast<double>(samples.size()))
+    warnings.push_back(
+        fmt::format("{} of {} samples hold half of what E weighs: the lobe is hardly sampled, its "
+                    "shape and what lies off it are not to be trusted (--residual log weighs decades "
+                    "alike)",
+                    count, samples.size()));
+}
+
 std::string status_of(const BrdfFit& fit) {
   std::string undetermined;
   for (const FittedParameter& p : fit.parameters)
@@ -175,6 +201,7 @@ BrdfFit fit_brdf(const BrdfMeasurement& measurement, std::string_view form_name,
   fit.converged = found.converged;
   fit.status = status_of(fit);
   fit.warnings = measurement.warnings;
+  if (options.residual == Residual::linear) warn_of_few(samples, fit.warnings);
   return fit;
 }
 

@@ -21,8 +21,10 @@ constexpr double narrow = 1e-6;           // the same: below, no curve shows, an
 constexpr double rank_tolerance = 1e-13;  // eigenvalue over the largest, columns scaled to 1: below, noise of rounding
 constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter to have an error at all
 constexpr double rise_accuracy = 0.01;    // of the rise at the ends of an interval
-constexpr double far_valley = 5.0;   // rise of the squares in another valley over that at the ends of an interval: from
-                                     // there on chance does not explain it, wherever noise is large
+constexpr double far_valley = 5.0;  // rise of the squares in another valley over that at the ends of an interval: from
+                                    // there on chance does not explain it, wherever noise is large
+constexpr double unlike = 0.1;      // [part of the search range] in some coordinate: another valley
+constexpr std::size_t most_valleys = 8;  // looked into
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
 // (J^T J)^-1 on the directions that the data tell of; `blind`: how far each parameter lies along those they do not.
@@ -76,6 +78,7 @@ class Judge {
     const auto freedom = l_.residual.size() - static_cast<Index>(l_.free.size());
     t_ = quantile_95(freedom);
     chance_ = freedom > 0 ? t_ * t_ / static_cast<double>(freedom) : infinite;
+    find_valleys();
   }
 
   // Of free parameter j, with the standard error of the linearised model.
@@ -103,17 +106,43 @@ class Judge {
   }
 
  private:
-  // Rise of the squares where the parameter is held `shift` away and the others are fitted again, over the rise that
-  // the linearised model foretells.
-  [[nodiscard]] double rise_ratio(Index j, double shift) const {
-    const FormParameter& p = problem_.parameters()[l_.free[j]];
-    std::vector<double> there = parameters_;
-    there[l_.free[j]] += shift;
-    if (!(there[l_.free[j]] >= p.least && there[l_.free[j]] <= p.most)) return 0.0;
-    const Polished again = descend(problem_, there, {60, rise_accuracy * chance_}, static_cast<int>(l_.free[j]));
-    const double scaled = shift * l_.length[j];
-    return (again.squares - l_.residual.squaredNorm()) / (scaled * scaled / inverse_.matrix(j, j));
+  // The lowest of the rivals that are unlike each other and the best.
+  void find_valleys() {
+    const auto is_like = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        const FormParameter& p = problem_.parameters()[k];
+        if (!p.is_linear && std::abs(coordinate_of(p, a[k]) - coordinate_of(p, b[k])) > unlike) return false;
+      }
+      return true;
+    };
+    for (const Polished& r : rivals_) {
+      if (valleys_.size() == most_valleys || rise(r.squares) > far_valley) break;
+      const auto is_known = [&](const std::vector<double>& v) { return is_like(v, r.parameters); };
+      if (!is_known(parameters_) && std::none_of(valleys_.begin(), valleys_.end(), is_known))
+        valleys_.push_back(r.parameters);
+    }
   }
+
+  // Rise of the squares where the parameter is held `shift` away and the others are fitted again, from here and from
+  // other valleys, over the rise that the linearised model foretells.
+  [[nodiscard]] double rise_ratio(Index j, double shift) const {
+    const std::size_t k = l_.free[j];
+    const FormParameter& p = problem_.parameters()[k];
+    const double held = parameters_[k] + shift;
+    if (!(held >= p.least && held <= p.most)) return 0.0;
+    double squares = squares_held(k, held, parameters_);
+    for (const auto& valley : valleys_) squares = std::min(squares, squares_held(k, held, valley));
+    const double scaled = shift * l_.length[j];
+    return (squares - l_.residual.squaredNorm()) / (scaled * scaled / inverse_.matrix(j, j));
+  }
+
+  [[nodiscard]] double squares_held(std::size_t k, double held, std::vector<double> start) const {
+    start[k] = held;
+    return descend(problem_, start, {60, rise_accuracy * chance_}, static_cast<int>(k)).squares;
+  }
+
+  // Of the squares in another valley: relative, over that at the end of an interval.
+  [[nodiscard]] double rise(double squares) const { return (squares / l_.residual.squaredNorm() - 1.0) / chance_; }
 
   [[nodiscard]] static bool is_honest(double ratio) { return ratio > 1.0 / honest_rise && ratio < honest_rise; }
 
@@ -122,9 +151,9 @@ class Judge {
     const auto k = static_cast<std::size_t>(l_.free[j]);
     const double width = std::max(half_width, narrow * std::abs(parameters_[k]));
     return std::any_of(rivals_.begin(), rivals_.end(), [&](const Polished& r) {
-      const double rise = (r.squares / l_.residual.squaredNorm() - 1.0) / chance_;
-      const double reach = rise > 1.0 ? std::sqrt(honest_rise * rise) : 1.0;
-      return rise <= far_valley && std::abs(r.parameters[k] - parameters_[k]) > reach * width;
+      const double above = rise(r.squares);
+      const double reach = above > 1.0 ? std::sqrt(honest_rise * above) : 1.0;
+      return above <= far_valley && std::abs(r.parameters[k] - parameters_[k]) > reach * width;
     });
   }
 
@@ -133,6 +162,7 @@ class Judge {
   const Linearised& l_;
   const Inverse& inverse_;
   const std::vector<Polished>& rivals_;
+  std::vector<std::vector<double>> valleys_;
   double t_ = 0.0;
   double chance_ = 0.0;  // relative rise of the squares at the end of an interval, were noise the same everywhere
 };

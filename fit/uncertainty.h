@@ -22,7 +22,8 @@ struct Uncertainty {
 
 // value: standard errors of the linearised model, noise being a sum of the kinds of FitProblem::variance_basis, their
 //   shares found from the residuals; corrected by how the squares rise where the parameter is held at the ends of its
-//   interval and the others are fitted again; intervals by Student's distribution.
+//   interval and the others are fitted again, from here and from the lowest of other valleys (a parameter that ends at
+//   a limit of its range makes others look sharper than they are); intervals by Student's distribution.
 // A parameter is determined where it is not at an end of its range, the interval is at most half the value to each
 // side, the squares rise at its ends by what the linearised model says within a factor of 1.8 (not asked of intervals
 // below 1e-6 of the value, such as those of data without noise), and none of `rivals` (where other polishes of the same

@@ -118,6 +118,8 @@ std::vector<Wrong> wrong_words() {
       {{"brdf", "lambert:0.5", "--surface-shadowing", "g.png"},
        "--surface-shadowing: expected a material with a shadowing function, found 'lambert:0.5', model lambert "
        "reflectance=0.5"},
+      {{"brdf", "metal-skin-5p", "-o", "f.png", "--surface", "./f.png"},
+       "--surface: would overwrite the picture of --output, './f.png'"},
       {{"brdf", "lambert:0.5", "--with", "metal-skin-5p"}, "--with: expected beside --output or --shadowing"},
       {{"brdf", "lambert:0.5", "--with"}, "--with: its value is missing (see lrcs brdf --help)"},
       {{"brdf", "lambert:0.5", "--with", "steel.yaml", "-o", "f.png"}, "material: no such file: 'steel.yaml'"},

@@ -277,6 +277,20 @@ TEST(BrdfFit, RefusesSamplesThatAreAllZero) {
   }
 }
 
+// A lobe of a degree in a scan of 4 deg steps: two or three samples hold the peak.
+TEST(BrdfFit, WarnsOfALobeThatIsHardlySampled) {
+  const auto warnings_of = [](const Brdf& brdf, Residual residual) {
+    FitOptions options = quick();
+    options.residual = residual;
+    return fit_brdf(measurement_of(goniometer_samples(brdf)), "phong", options).warnings;
+  };
+  const auto sharp = warnings_of(Phong(0.3, 0.5, 2e4), Residual::linear);
+  ASSERT_EQ(sharp.size(), 1U);
+  EXPECT_EQ(sharp.front().rfind("1 of 164 samples hold half of what E weighs", 0), 0U) << sharp.front();
+  EXPECT_TRUE(warnings_of(Phong(0.3, 0.5, 2e4), Residual::logarithmic).empty());
+  EXPECT_TRUE(warnings_of(Phong(0.3, 0.5, 20.0), Residual::linear).empty());
+}
+
 TEST(NormE, IsTheSumThatItSays) {
   auto samples = goniometer_samples(published("metal-skin-9p"), 0.2, 9);
   for (std::size_t k = 0; k < samples.size(); ++k) samples[k].weight = static_cast<double>(k % 7);
