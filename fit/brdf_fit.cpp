@@ -148,9 +148,9 @@ std::size_t half_of_the_signal(const std::vector<BrdfSample>& samples) {
 
 // A lobe that is narrower than the steps between samples.
 void warn_of_few(const std::vector<BrdfSample>& samples, std::vector<std::string>& warnings) {
-  constexpr double few = 0.01;  // [of the samples]
+  constexpr std::size_t few = 5;
   const std::size_t count = half_of_the_signal(samples);
-  if (static_cast<double>(count) <= few * static_cast<double>(samples.size()))
+  if (count <= few && 20 * count <= samples.size())
     warnings.push_back(
         fmt::format("{} of {} samples hold half of what E weighs: the lobe is hardly sampled, its "
                     "shape and what lies off it are not to be trusted (--residual log weighs decades "
