@@ -16,13 +16,14 @@ void check(const std::string& file, bool quiet) {
   const LoadedTarget loaded = load_target(scene);
   fmt::print("{}: ok\n", file);
   fmt::print("target      {}: {} facets in {} parts\n", scene.target.file.string(), loaded.target.mesh.size(),
-             loaded.target.mesh.part_names.size());
+             loaded.target.mesh.part.names.size());
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
     fmt::print("material    {}: {} facets\n", scene.materials[m].name,
                std::count(loaded.target.material.begin(), loaded.target.material.end(), m));
   fmt::print("directions  {}\n", scene.directions.size());
   if (quiet) return;
-  for (const auto& warning : material_warnings(scene)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
+  for (const auto& warnings : {material_warnings(scene), loaded.warnings})
+    for (const auto& warning : warnings) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "brdf/material_yaml.h"
 #include "cli/flag_words.h"
 #include "lrcs/sweep_yaml.h"
+#include "mesh/file_format.h"
 
 namespace lrcs {
 namespace {
@@ -86,9 +87,9 @@ std::vector<AspectAngles> directions_from(const SceneFlags& flags) {
 // Every word that decides a number of the result.
 std::string digest_of_words(const SceneFlags& flags, const Material& material) {
   const std::vector<std::string> said{
-      flags.unit,  material_to_yaml(material), flags.azimuth, flags.elevation, flags.receiver, flags.wavelength,
-      flags.plane, flags.bistatic_angle,       flags.forward, flags.up,        flags.sides,    flags.repair,
-      flags.facets};
+      flags.unit,   material_to_yaml(material), flags.azimuth,    flags.elevation, flags.receiver, flags.wavelength,
+      flags.plane,  flags.bistatic_angle,       flags.forward,    flags.up,        flags.sides,    flags.repair,
+      flags.facets, flags.chord_tolerance,      flags.chord_angle};
   return digest_of(fmt::format("{}", fmt::join(said, "\n")));
 }
 
@@ -96,7 +97,7 @@ void require_the_needed(const std::string& target, const SceneFlags& flags) {
   std::error_code none;
   if (!std::filesystem::exists(target, none))
     throw InputError(Place{target}, "no such file (a scene file ends in .yaml)");
-  if (flags.unit.empty())
+  if (flags.unit.empty() && !has_unit(target))
     throw InputError(fmt::format("--unit is missing: {} has no unit of its own; expected one of {}", target,
                                  fmt::join(length_units(), ", ")));
   if (flags.material.empty())
@@ -122,6 +123,9 @@ void SceneFlags::add_to(CLI::App& verb) {
   add("--receiver", receiver, "monostatic (default), or AZIMUTH,ELEVATION of a fixed receiver [deg]");
   add("--bistatic-angle", bistatic_angle, "True angle between transmitter and receiver [deg]");
   add("--plane", plane, "Plane of the bistatic angle (default azimuth)")->check(one_of({"azimuth", "elevation"}));
+  add("--chord-tolerance", chord_tolerance,
+      "How far facets may lie off CAD surfaces: of a part's size (default 1e-3), or a length");
+  add("--chord-angle", chord_angle, "Largest turn from facet to facet of CAD surfaces [deg] (default 8)");
   add("--wavelength", wavelength, "With its unit: \"1.06 um\"");
   add("--forward", forward, "File axis that is the nose (default +x)")->check(axis);
   add("--up", up, "File axis that is up (default +z)")->check(axis);
@@ -148,8 +152,12 @@ Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
   scene.name = "command line";
   scene.target.file = target;
   scene.target.place = Place{target};
-  scene.target.unit = flags.unit;
-  scene.target.metres_per_unit = checked_unit(flags.unit, Place{"--unit"});
+  if (!flags.unit.empty()) scene.target.unit = checked_unit(flags.unit, Place{"--unit"});
+  if (!flags.chord_tolerance.empty())
+    set_chord_tolerance(scene.target.tessellation, flags.chord_tolerance, Place{"--chord-tolerance"});
+  if (!flags.chord_angle.empty())
+    set_chord_angle(scene.target.tessellation, number_from_words(flags.chord_angle, "--chord-angle"),
+                    Place{"--chord-angle"});
   scene.target.forward = flags.forward;
   scene.target.up = flags.up;
   scene.target.repair = flags.repair == "auto";

@@ -14,7 +14,7 @@ namespace lrcs {
 // A scene said by flags instead of a scene file: one target, one material.
 struct SceneFlags {
   std::string unit, material, azimuth, elevation = "0", receiver = "monostatic", wavelength;
-  std::string bistatic_angle, plane = "azimuth";
+  std::string bistatic_angle, plane = "azimuth", chord_tolerance, chord_angle;
   std::string forward = "+x", up = "+z", sides = "both", repair = "auto", facets = "none";
   std::vector<const CLI::Option*> options;  // set by add_to
 

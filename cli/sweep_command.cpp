@@ -47,7 +47,7 @@ void say_repairs(const LoadedTarget& loaded) {
 
 void say_plan(const Scene& scene, const LoadedTarget& loaded, const RunFacts& facts) {
   fmt::print(stderr, "lrcs: {} facets in {} parts, {} directions, {} threads\n", loaded.target.mesh.size(),
-             loaded.target.mesh.part_names.size(), scene.directions.size(), facts.threads);
+             loaded.target.mesh.part.names.size(), scene.directions.size(), facts.threads);
 }
 
 void say_result(const std::vector<SweepRow>& rows, double seconds, const std::filesystem::path& folder) {
@@ -70,6 +70,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
   auto start = Clock::now();
   const LoadedTarget loaded = load_target(scene);
   facts.read_seconds = seconds_since(start);
+  facts.warnings.insert(facts.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
   SweepResults results(folder, scene, loaded);
   if (!common.quiet) say_repairs(loaded);
   if (common.verbose && !common.quiet) say_plan(scene, loaded, facts);

@@ -14,7 +14,8 @@ Json target_json(const Scene& scene, const LoadedTarget& loaded) {
   const RepairCounts& r = loaded.repaired;
   return {{"file", scene.target.file.string()},
           {"sha256", loaded.digest},
-          {"unit", scene.target.unit},
+          {"unit", loaded.unit},
+          {"tessellation", loaded.tessellation.empty() ? Json(nullptr) : Json(loaded.tessellation)},
           {"forward", scene.target.forward},
           {"up", scene.target.up},
           {"sides", scene.target.sides == Sides::front ? "front" : "both"},

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "base/digest.h"
@@ -12,20 +14,25 @@
 #include "base/nearest_name.h"
 #include "brdf/material_yaml.h"
 #include "lrcs/sweep_yaml.h"
+#include "mesh/file_format.h"
 
 namespace lrcs {
 namespace {
 
 TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path& folder) {
-  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair"});
+  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "chord_tolerance", "chord_angle"});
   TargetFile target;
   target.file = folder / node.at("file").text();
   target.place = node.at("file").place();
-  if (!node.has("unit"))
+  if (node.has("unit"))
+    target.unit = checked_unit(node.at("unit").text(), node.at("unit").place());
+  else if (!has_unit(target.file))
     node.fail(fmt::format("key 'unit' is missing: {} has no unit of its own; expected one of {}",
                           node.at("file").text(), fmt::join(length_units(), ", ")));
-  target.unit = node.at("unit").text();
-  target.metres_per_unit = checked_unit(target.unit, node.at("unit").place());
+  if (node.has("chord_tolerance"))
+    set_chord_tolerance(target.tessellation, node.at("chord_tolerance").text(), node.at("chord_tolerance").place());
+  if (node.has("chord_angle"))
+    set_chord_angle(target.tessellation, node.at("chord_angle").number(), node.at("chord_angle").place());
   if (node.has("forward"))
     target.forward = node.at("forward").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
   if (node.has("up")) target.up = node.at("up").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
@@ -44,21 +51,36 @@ std::vector<std::string> names_of(const std::vector<Material>& materials) {
   return names;
 }
 
+const std::map<std::string, AssignRule::By> keys_of_patterns{{"part", AssignRule::By::part},
+                                                             {"file_material", AssignRule::By::file_material},
+                                                             {"colour", AssignRule::By::colour},
+                                                             {"layer", AssignRule::By::layer}};
+
+std::string key_of_pattern(const LocatedYaml& rule) {
+  std::string found;
+  for (const auto& [key, by] : keys_of_patterns) {
+    if (!rule.has(key)) continue;
+    if (!found.empty()) rule.key_place(key).fail(fmt::format("expected either {} or {}, found both", found, key));
+    found = key;
+  }
+  if (found.empty())
+    rule.fail(
+        "expected {part: PATTERN, material: NAME}, the same with file_material, colour or layer, or {default: NAME}");
+  return found;
+}
+
 AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string>& materials) {
-  node.allow_keys({"part", "file_material", "material", "default"});
+  node.allow_keys({"part", "file_material", "colour", "layer", "material", "default"});
   AssignRule rule;
   std::string key = "material";
   if (node.has("default")) {
     key = "default";
-    for (const auto* other : {"part", "file_material", "material"})
+    for (const auto* other : {"part", "file_material", "colour", "layer", "material"})
       if (node.has(other)) node.key_place(other).fail(fmt::format("expected either default or {}, found both", other));
     rule.place = node.at("default").place();
   } else {
-    if (node.has("part") == node.has("file_material"))
-      node.fail(
-          "expected {part: PATTERN, material: NAME}, {file_material: PATTERN, material: NAME} or {default: NAME}");
-    const std::string by = node.has("part") ? "part" : "file_material";
-    rule.by = by == "part" ? AssignRule::By::part : AssignRule::By::file_material;
+    const std::string by = key_of_pattern(node);
+    rule.by = keys_of_patterns.at(by);
     rule.pattern = node.at(by).text();
     rule.place = node.at(by).place();
   }
@@ -150,11 +172,47 @@ void check_version(const LocatedYaml& yaml) {
 
 }  // namespace
 
-double checked_unit(const std::string& unit, const Place& place) {
+std::string checked_unit(const std::string& unit, const Place& place) {
   try {
-    return metres_in(unit);
+    (void)metres_in(unit);
+    return unit;
   } catch (const std::invalid_argument& wrong) {
     throw InputError(place, wrong.what());
+  }
+}
+
+void set_chord_tolerance(Tessellation& tessellation, const std::string& words, const Place& place) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
+  if (error == std::errc() && end == words.data() + words.size()) {
+    if (!(number >= 1e-7 && number <= 0.5))
+      throw InputError(place, fmt::format("expected a chord tolerance of 1e-7..0.5 of a part, found {}", words));
+    tessellation.relative = number;
+    return;
+  }
+  try {
+    tessellation.absolute = length_from_text(words);
+  } catch (const std::invalid_argument& wrong) {
+    throw InputError(place, wrong.what());
+  }
+}
+
+void set_chord_angle(Tessellation& tessellation, double angle_deg, const Place& place) {
+  if (!(angle_deg >= 0.1 && angle_deg <= 90.0))
+    throw InputError(place, fmt::format("expected 0.1..90 deg from edge to edge, found {}", angle_deg));
+  tessellation.angle_deg = angle_deg;
+}
+
+const FacetNames& told_by(AssignRule::By by, const FacetMesh& mesh) {
+  switch (by) {
+    case AssignRule::By::file_material:
+      return mesh.file_material;
+    case AssignRule::By::colour:
+      return mesh.colour;
+    case AssignRule::By::layer:
+      return mesh.layer;
+    default:
+      return mesh.part;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/input_error.h"
 #include "brdf/material.h"
+#include "cad/tessellation.h"
 #include "lrcs/aspect.h"
 #include "lrcs/cross_section.h"
 
@@ -13,9 +14,9 @@ namespace lrcs {
 
 // Which facets a material goes to. First match wins.
 struct AssignRule {
-  enum class By { part, file_material, everything };
+  enum class By { part, file_material, colour, layer, everything };
   By by = By::everything;
-  std::string pattern;   // of part names or of the file's material names: *, ? and [...] as in a shell
+  std::string pattern;   // of what the file tells of a facet: *, ? and [...] as in a shell
   std::string material;  // a name of Scene::materials
   Place place;           // of the pattern, for messages
 };
@@ -23,9 +24,9 @@ struct AssignRule {
 // The target's file and how it is to be read.
 struct TargetFile {
   std::filesystem::path file;
-  Place place;                 // of the file name, for messages
-  double metres_per_unit = 1;  // [m]
-  std::string unit;
+  Place place;                            // of the file name, for messages
+  std::string unit;                       // "": the file's own
+  Tessellation tessellation;              // of CAD surfaces
   std::string forward = "+x", up = "+z";  // axes of the file
   bool repair = true;
   Sides sides = Sides::both;
@@ -57,8 +58,16 @@ struct Scene {
 // error: InputError at file:line:column for anything that is not as it should be.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 
-// Metres in a unit of length, for every way to make a scene. Throws InputError at `place` for a name that is none.
-[[nodiscard]] double checked_unit(const std::string& unit, const Place& place);
+// A unit of length, for every way to make a scene. Throws InputError at `place` for a name that is none.
+[[nodiscard]] std::string checked_unit(const std::string& unit, const Place& place);
+
+// The same of a chord tolerance: "1e-3" is relative, "0.1 mm" a length. Which of the two was said is set.
+void set_chord_tolerance(Tessellation& tessellation, const std::string& words, const Place& place);
+
+void set_chord_angle(Tessellation& tessellation, double angle_deg, const Place& place);
+
+// What the file tells facets that such rules go by.
+[[nodiscard]] const FacetNames& told_by(AssignRule::By by, const FacetMesh& mesh);
 
 // For each direction of scene.facets its row of the sweep: the one of the same angles, else the first that points the
 // same way. error: InputError at its place for a direction outside the sweep; it names the nearest.

@@ -4,11 +4,13 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/digest.h"
+#include "base/length.h"
 #include "base/nearest_name.h"
+#include "cad/read_target.h"
 #include "mesh/body_frame.h"
-#include "mesh/read_mesh.h"
 
 namespace lrcs {
 namespace {
@@ -30,18 +32,58 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > most_names ? fmt::format("{} and {} more", text, names.size() - most_names) : text;
 }
 
+struct Words {
+  const char *one, *all;
+};
+
+Words words_of(AssignRule::By by) {
+  switch (by) {
+    case AssignRule::By::file_material:
+      return {"material", "materials in the file"};
+    case AssignRule::By::colour:
+      return {"colour", "colours"};
+    case AssignRule::By::layer:
+      return {"layer", "layers"};
+    default:
+      return {"part", "parts"};
+  }
+}
+
+// Hexadecimal digits have no case.
+int flags_of(AssignRule::By by) {
+  return by == AssignRule::By::colour ? FNM_CASEFOLD : 0;
+}
+
 // Does the rule match each of the names? An error if it matches none.
 std::vector<bool> matches(const AssignRule& rule, const std::vector<std::string>& names) {
   std::vector<bool> matched;
   matched.reserve(names.size());
-  for (const auto& name : names) matched.push_back(fnmatch(rule.pattern.c_str(), name.c_str(), 0) == 0);
+  for (const auto& name : names) matched.push_back(fnmatch(rule.pattern.c_str(), name.c_str(), flags_of(rule.by)) == 0);
   if (std::find(matched.begin(), matched.end(), true) == matched.end()) {
-    const bool part = rule.by == AssignRule::By::part;
-    throw InputError(rule.place, fmt::format("pattern '{}' matches no {} of the target{} ({}: {})", rule.pattern,
-                                             part ? "part" : "material", did_you_mean(rule.pattern, names),
-                                             part ? "parts" : "materials in the file", listed(names)));
+    const Words words = words_of(rule.by);
+    throw InputError(rule.place, fmt::format("pattern '{}' matches no {} of the target{} ({})", rule.pattern, words.one,
+                                             did_you_mean(rule.pattern, names),
+                                             names.empty() ? fmt::format("the file has no {}", words.all)
+                                                           : fmt::format("{}: {}", words.all, listed(names))));
   }
   return matched;
+}
+
+const std::string& name_of(const FacetNames& told, std::size_t facet) {
+  static const std::string none;
+  return told.of.empty() ? none : told.names[told.of[facet]];
+}
+
+// ", file material 'Gold', colour '#c0c0c0'"
+std::string also_told(const FacetMesh& mesh, std::size_t facet) {
+  std::string text;
+  const auto add = [&](const char* what, const std::string& name) {
+    if (!name.empty()) text += fmt::format(", {} '{}'", what, name);
+  };
+  add("file material", name_of(mesh.file_material, facet));
+  add("colour", name_of(mesh.colour, facet));
+  add("layer", name_of(mesh.layer, facet));
+  return text;
 }
 
 std::uint32_t index_of(const std::string& name, const std::vector<Material>& materials) {
@@ -57,23 +99,20 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
   for (const AssignRule& rule : scene.assign) {
     const std::uint32_t index = index_of(rule.material, scene.materials);
     const bool everything = rule.by == AssignRule::By::everything;
-    const bool by_part = rule.by == AssignRule::By::part;
-    const auto matched =
-        everything ? std::vector<bool>{} : matches(rule, by_part ? mesh.part_names : mesh.file_material_names);
+    const FacetNames& told = told_by(rule.by, mesh);
+    const auto matched = everything ? std::vector<bool>{} : matches(rule, told.names);
     for (std::size_t k = 0; k < mesh.size(); ++k)
-      if (material[k] == unassigned && (everything || matched[by_part ? mesh.part[k] : mesh.file_material[k]]))
-        material[k] = index;
+      if (material[k] == unassigned && (everything || matched[told.of[k]])) material[k] = index;
   }
   const auto left_out = std::find(material.begin(), material.end(), unassigned);
   if (left_out != material.end()) {
     const auto k = static_cast<std::size_t>(left_out - material.begin());
-    const std::string& of = mesh.file_material_names[mesh.file_material[k]];
     throw InputError(
         scene.assign_place,
         fmt::format("{} of {} facets have no material, the first in part {}{}: expected a rule for each, or a last "
                     "rule {{default: MATERIAL}}",
-                    std::count(material.begin(), material.end(), unassigned), mesh.size(),
-                    shown(mesh.part_names[mesh.part[k]]), of.empty() ? "" : fmt::format(", file material '{}'", of)));
+                    std::count(material.begin(), material.end(), unassigned), mesh.size(), shown(name_of(mesh.part, k)),
+                    also_told(mesh, k)));
   }
   return material;
 }
@@ -85,9 +124,17 @@ LoadedTarget load_target(const Scene& scene) {
   LoadedTarget loaded;
   Target& target = loaded.target;
   loaded.digest = digest_of_file(scene.target.file);
-  target.mesh = read_mesh(scene.target.file);
+  TargetRead read = read_target(scene.target.file, scene.target.unit, scene.target.tessellation);
+  if (read.unit.empty())
+    throw InputError(scene.target.place,
+                     fmt::format("'{}' says no unit that is known here, expected the key or flag for it: one of {}",
+                                 scene.target.file.string(), fmt::join(length_units(), ", ")));
+  target.mesh = std::move(read.mesh);
+  loaded.unit = read.unit;
+  loaded.tessellation = read.tessellation;
+  loaded.warnings = read.warnings;
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
-  place_in_body_frame(target.mesh, scene.target.metres_per_unit, scene.target.forward, scene.target.up);
+  place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
   target.materials = scene.materials;
   target.sides = scene.target.sides;
   target.material = assign_materials(target.mesh, scene);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/digest.h"
+#include "base/gunzip.h"
 #include "base/input_error.h"
 #include "measurement/brdf_measurement.h"
 #include "measurement/read_formats.h"
@@ -47,7 +48,6 @@ void require_text(std::string_view content, const std::string& file) {
   if (content.empty()) throw InputError(place, fmt::format("is empty, {}", readable));
   if (content.starts_with("\xfe\xff") || content.starts_with("\xff\xfe"))
     throw InputError(place, "is UTF-16 text, expected UTF-8 or ASCII");
-  if (content.starts_with("\x1f\x8b")) throw InputError(place, "is compressed by gzip, expected it unpacked");
   if (content.find('\0') != std::string_view::npos)
     throw InputError(place, fmt::format("is binary, in no format known here, {}", readable));
 }
@@ -65,7 +65,8 @@ std::vector<BrdfMeasurement> read_brdf_measurements(const std::filesystem::path&
                                                     const MeasurementOptions& options) {
   require_readable(file);
   require_options(options, file.string());
-  const std::string bytes = content_of_file(file);
+  std::string bytes = content_of_file(file);
+  if (is_gzip(bytes)) bytes = gunzip(bytes, file.string());
   std::string_view content = bytes;
   if (is_merl(content)) return read_merl(content, file.string(), options);
   if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);  // UTF-8's byte order mark

@@ -145,8 +145,8 @@ void take_shells(const FacetMesh& mesh, Join join, Indices& facets, bool in_one_
 }
 
 std::vector<Indices> facets_of_parts(const FacetMesh& mesh) {
-  std::vector<Indices> parts(mesh.part_names.size());
-  for (std::uint32_t k = 0; k < mesh.size(); ++k) parts[mesh.part[k]].push_back(k);
+  std::vector<Indices> parts(mesh.part.names.size());
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) parts[mesh.part.of[k]].push_back(k);
   return parts;
 }
 

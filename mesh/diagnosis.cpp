@@ -34,25 +34,38 @@ void count_vertices(const FacetMesh& mesh, Diagnosis& d) {
   if (mesh.size() > 0) d.box = {mesh.metres_per_unit * box.min(), mesh.metres_per_unit * box.max()};
 }
 
+// The names of each part's facets, joined.
+std::vector<std::string> names_by_part(const FacetMesh& mesh, const FacetNames& told) {
+  std::vector<std::set<std::string>> names(mesh.part.names.size());
+  if (!told.of.empty())
+    for (std::size_t k = 0; k < mesh.size(); ++k) names[mesh.part.of[k]].insert(told.names[told.of[k]]);
+  std::vector<std::string> joined(names.size());
+  for (std::size_t p = 0; p < names.size(); ++p)
+    for (const std::string& name : names[p])
+      if (!name.empty()) joined[p] += (joined[p].empty() ? "" : ", ") + name;
+  return joined;
+}
+
 void measure_parts(const FacetMesh& mesh, Diagnosis& d) {
-  const std::size_t count = mesh.part_names.size();
+  const std::size_t count = mesh.part.names.size();
   std::vector<CompensatedSum> areas(count);
-  std::vector<std::set<std::string>> materials(count);
   CompensatedSum area;
   d.parts.resize(count);
   for (std::size_t k = 0; k < mesh.size(); ++k) {
-    const std::uint32_t part = mesh.part[k];
+    const std::uint32_t part = mesh.part.of[k];
     area.add(area_of(mesh, k));
     areas[part].add(area_of(mesh, k));
-    materials[part].insert(mesh.file_material_names[mesh.file_material[k]]);
     ++d.parts[part].facets;
   }
   d.area = area.value();
+  const auto materials = names_by_part(mesh, mesh.file_material), colours = names_by_part(mesh, mesh.colour),
+             layers = names_by_part(mesh, mesh.layer);
   for (std::size_t p = 0; p < count; ++p) {
-    d.parts[p].name = mesh.part_names[p];
+    d.parts[p].name = mesh.part.names[p];
     d.parts[p].area = areas[p].value();
-    for (const std::string& material : materials[p])
-      if (!material.empty()) d.parts[p].file_material += (d.parts[p].file_material.empty() ? "" : ", ") + material;
+    d.parts[p].file_material = materials[p];
+    d.parts[p].colour = colours[p];
+    d.parts[p].layer = layers[p];
   }
 }
 
@@ -76,14 +89,14 @@ void count_edges(const FacetMesh& repaired, Diagnosis& d) {
 
 void measure_volumes(const FacetMesh& repaired, Diagnosis& d) {
   std::vector<std::size_t> left(d.parts.size(), 0);  // facets that are in no closed shell of the part
-  for (const std::uint32_t part : repaired.part) ++left[part];
+  for (const std::uint32_t part : repaired.part.of) ++left[part];
   const double cubic_metres = std::pow(repaired.metres_per_unit, 3);
   CompensatedSum volume;
   std::vector<CompensatedSum> volumes(d.parts.size());
   for (const ClosedShell& shell : closed_shells(repaired)) {
     volume.add(shell.volume);
     if (!shell.in_one_part) continue;
-    const std::uint32_t part = repaired.part[shell.facets[0]];
+    const std::uint32_t part = repaired.part.of[shell.facets[0]];
     volumes[part].add(shell.volume);
     left[part] -= shell.facets.size();
   }

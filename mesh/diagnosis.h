@@ -16,7 +16,8 @@ struct PartDiagnosis {
   double area = 0.0;
   bool closed = false;           // by itself: its facets bound a volume
   std::optional<double> volume;  // enclosed, cavities taken off; none where the part is open
-  std::string file_material;     // as the file names it; several: joined with ", "; "" where it names none
+  // As the file names them; several: joined with ", "; "" where it names none.
+  std::string file_material, colour, layer;
 };
 
 // What was read, before any repair: the numbers of `lrcs info`.

@@ -9,17 +9,23 @@
 
 namespace lrcs {
 
+// What a file says of facets in words: names, and which of them each facet has.
+struct FacetNames {
+  std::vector<std::uint32_t> of;   // index into names, one a facet; empty: the file tells of no facet
+  std::vector<std::string> names;  // "" stands for those without one
+};
+
 // A target as triangular facets, in arrays: what the integrator reads.
 // shape: every per-facet array has one entry a facet. Positions may repeat: `facets` says nothing of connectivity.
 // frame: the file's axes until place_in_body_frame() (mesh/body_frame.h).
 struct FacetMesh {
   std::vector<Vec3> positions;                       // vertices, in the file's unit: exactly as they were read
   std::vector<std::array<std::uint32_t, 3>> facets;  // indices into positions, counter-clockwise seen from the front
-  std::vector<std::uint32_t> part;                   // index into part_names
-  std::vector<std::uint32_t> file_material;          // index into file_material_names
-  std::vector<std::uint32_t> source_facet;           // number of the polygon in the file, from 0, in file order
-  std::vector<std::string> part_names;           // never empty where there are facets; "" where the file has no names
-  std::vector<std::string> file_material_names;  // the same; "" where the file names no material
+  std::vector<std::uint32_t> source_facet;           // number of the polygon (CAD: face) in the file, from 0
+  FacetNames part;           // never empty where there are facets: where the file names no part, all are one, ""
+  FacetNames file_material;  // the same of materials
+  FacetNames colour;         // #rrggbb; may be empty
+  FacetNames layer;          // may be empty
 
   double metres_per_unit = 1.0;  // [m]: scaling the positions would round, and what is coplanar would not stay so
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +17,7 @@
 namespace lrcs {
 namespace {
 
-constexpr std::string_view readable = "expected STL, OBJ, PLY or OFF";
+constexpr std::string_view readable = "expected STEP, IGES, BREP, STL, OBJ, PLY or OFF";
 
 struct Signature {
   std::string_view begin;
@@ -23,9 +25,7 @@ struct Signature {
 };
 
 constexpr std::array unread_formats{
-    Signature{"ISO-10303-21", "a STEP file"},
     Signature{"glTF", "a binary glTF file (GLB)"},
-    Signature{"\x1f\x8b", "compressed (gzip)"},
     Signature{"PK\x03\x04", "a ZIP archive (such as 3MF)"},
     Signature{"BZh", "compressed (bzip2)"},
     Signature{"\xfd"
@@ -36,8 +36,6 @@ constexpr std::array unread_formats{
     Signature{"<?xml", "an XML file (such as VTP, COLLADA, AMF or X3D)"},
     Signature{"#VRML", "a VRML file"},
     Signature{"Kaydara FBX", "an FBX file"},
-    Signature{"DBRep_DrawableShape", "an Open CASCADE BREP file"},
-    Signature{"CASCADE Topology", "an Open CASCADE BREP file"},
     Signature{"$MeshFormat", "a Gmsh file"},
     Signature{"\x89HDF", "an HDF5 file"},
     Signature{"%PDF", "a PDF document"},
@@ -48,6 +46,14 @@ bool is_iges(std::string_view content) {
          content.substr(73, 7).find_first_not_of(" 0123456789") == std::string_view::npos;
 }
 
+std::optional<FileFormat> cad_format(std::string_view content) {
+  if (is_iges(content)) return FileFormat::iges;
+  while (!content.empty() && std::isspace(static_cast<unsigned char>(content.front())) != 0) content.remove_prefix(1);
+  if (content.starts_with("ISO-10303-21")) return FileFormat::step;
+  if (content.starts_with("DBRep_DrawableShape") || content.starts_with("CASCADE Topology")) return FileFormat::brep;
+  return std::nullopt;
+}
+
 void refuse_unread(std::string_view content, const std::string& file) {
   const auto refuse = [&](std::string_view name) {
     throw InputError(Place{file}, fmt::format("is {}, which is not read yet; {}", name, readable));
@@ -55,7 +61,6 @@ void refuse_unread(std::string_view content, const std::string& file) {
   for (const Signature& format : unread_formats) {
     if (content.starts_with(format.begin)) refuse(format.name);
   }
-  if (is_iges(content)) refuse("an IGES file");
   if (content.starts_with("{") && content.find("\"asset\"") != std::string_view::npos) refuse("a glTF file");
   if (content.starts_with("\xfe\xff") || content.starts_with("\xff\xfe"))
     throw InputError(Place{file}, "is UTF-16 text, expected UTF-8 or ASCII");
@@ -110,9 +115,24 @@ std::uint32_t binary_stl_count(std::string_view content) {
   return count;
 }
 
+std::optional<FileFormat> cad_format_of(const std::filesystem::path& file) {
+  std::array<char, 256> head{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), head.size());
+  std::string_view content(head.data(), static_cast<std::size_t>(stream.gcount()));
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  return cad_format(content);
+}
+
+bool has_unit(const std::filesystem::path& file) {
+  const auto format = cad_format_of(file);
+  return format == FileFormat::step || format == FileFormat::iges;
+}
+
 FileFormat file_format_of(std::string_view content, const std::filesystem::path& file) {
   if (content.empty()) throw InputError(Place{file.string()}, fmt::format("is empty, {}", readable));
   if (is_binary_stl(content)) return FileFormat::stl_binary;
+  if (cad_format(content)) throw InputError(Place{file.string()}, "holds CAD surfaces, expected facets");
   refuse_unread(content, file.string());
   // A PLY header is text, its data need not be; a "solid" with zero bytes in it is a broken binary STL.
   const bool text = is_text(content);

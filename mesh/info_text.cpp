@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace lrcs {
 namespace {
@@ -49,16 +51,116 @@ std::string shown_name(const std::string& name) {
   return name.empty() ? "(no name)" : name;
 }
 
+// A line of the tree: a part, or what holds parts.
+struct TreeLine {
+  std::string name;  // indented
+  std::size_t facets = 0;
+  double area = 0.0;
+  const PartDiagnosis* part = nullptr;
+};
+
+// Parts in file order, each path through an assembly once.
+std::vector<TreeLine> tree_of(const std::vector<PartDiagnosis>& parts) {
+  std::vector<TreeLine> lines;
+  std::map<std::string, std::size_t> known;
+  for (const PartDiagnosis& part : parts) {
+    std::size_t depth = 0, begin = 0;
+    for (std::size_t slash = part.name.find('/'); slash != std::string::npos; slash = part.name.find('/', begin)) {
+      const auto [line, is_new] = known.try_emplace(part.name.substr(0, slash), lines.size());
+      if (is_new) lines.push_back({std::string(2 * depth, ' ') + part.name.substr(begin, slash - begin)});
+      lines[line->second].facets += part.facets;
+      lines[line->second].area += part.area;
+      begin = slash + 1;
+      ++depth;
+    }
+    lines.push_back({std::string(2 * depth, ' ') + shown_name(part.name.substr(begin)), part.facets, part.area, &part});
+  }
+  return lines;
+}
+
+std::string or_dash(const std::string& words) {
+  return words.empty() ? "-" : words;
+}
+
 std::string parts_table(const Diagnosis& d, std::string_view length) {
-  std::size_t width = 4;
-  for (const PartDiagnosis& part : d.parts) width = std::max(width, width_of(shown_name(part.name)));
-  std::string table = fmt::format("\n{}  {:>9}  {:>14}  {:>14}  closed  material\n", padded("part", width), "facets",
-                                  fmt::format("area [{}^2]", length), fmt::format("volume [{}^3]", length));
-  for (const PartDiagnosis& part : d.parts)
-    table += fmt::format("{}  {:>9}  {:>14.6g}  {:>14}  {:<6}  {}\n", padded(shown_name(part.name), width), part.facets,
-                         part.area, part.volume ? fmt::format("{:.6g}", *part.volume) : "-", yes_no(part.closed),
-                         part.file_material.empty() ? "-" : part.file_material);
+  const auto lines = tree_of(d.parts);
+  std::size_t width = 4, material_width = 8;
+  bool coloured = false;
+  for (const TreeLine& line : lines) width = std::max(width, width_of(line.name));
+  for (const PartDiagnosis& part : d.parts) {
+    material_width = std::max(material_width, width_of(part.file_material));
+    coloured |= !part.colour.empty();
+  }
+  const auto last = [&](const std::string& material, const std::string& colour) {
+    return coloured ? padded(material, material_width) + "  " + colour : material;
+  };
+  std::string table =
+      fmt::format("\n{}  {:>9}  {:>14}  {:>14}  closed  {}\n", padded("part", width), "facets",
+                  fmt::format("area [{}^2]", length), fmt::format("volume [{}^3]", length), last("material", "colour"));
+  for (const TreeLine& line : lines) {
+    const PartDiagnosis* part = line.part;
+    table += fmt::format("{}  {:>9}  {:>14.6g}", padded(line.name, width), line.facets, line.area);
+    if (part != nullptr)
+      table += fmt::format("  {:>14}  {:<6}  {}", part->volume ? fmt::format("{:.6g}", *part->volume) : "-",
+                           yes_no(part->closed), last(or_dash(part->file_material), or_dash(part->colour)));
+    table += "\n";
+  }
   return table;
+}
+
+// In YAML: between quotes, whatever it holds.
+std::string quoted(const std::string& words) {
+  std::string text = "\"";
+  for (const char c : words) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+// As a pattern: instances of one name are one, and letters that mean something there stand for themselves.
+std::string pattern_of(const std::string& name, bool is_path) {
+  std::string pattern;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    if (is_path && name[k] == ':') {
+      const std::size_t end = std::min(name.find_first_not_of("0123456789", k + 1), name.size());
+      if (end > k + 1 && (end == name.size() || name[end] == '/')) {
+        pattern += ":*";
+        k = end - 1;
+        continue;
+      }
+    }
+    if (name[k] == '*' || name[k] == '?' || name[k] == '[' || name[k] == '\\') pattern += '\\';
+    pattern += name[k];
+  }
+  return pattern;
+}
+
+// A rule for each name that some part has by itself, in the order of the parts; none where they do not tell all apart.
+std::string rules_by(const Diagnosis& d, const char* key, std::string PartDiagnosis::*name) {
+  const bool is_path = name == &PartDiagnosis::name;  // others may be several, joined by commas
+  std::string rules;
+  std::map<std::string, std::pair<std::size_t, double>> sums;
+  std::vector<std::string> order;
+  for (const PartDiagnosis& part : d.parts) {
+    if ((part.*name).empty() || (!is_path && (part.*name).find(", ") != std::string::npos)) continue;
+    const std::string pattern = pattern_of(part.*name, is_path);
+    auto& [count, area] = sums[pattern];
+    if (count++ == 0) order.push_back(pattern);
+    area += part.area;
+  }
+  if (order.size() < 2 && !is_path) return "";
+  for (const std::string& pattern : order)
+    rules += fmt::format("  - {{{}: {}, material: MATERIAL}}  # {} part{}, area {:.4g}\n", key, quoted(pattern),
+                         sums[pattern].first, sums[pattern].first == 1 ? "" : "s", sums[pattern].second);
+  return rules;
+}
+
+std::string assign_block(const Diagnosis& d) {
+  std::string rules = rules_by(d, "colour", &PartDiagnosis::colour);
+  if (rules.empty()) rules = rules_by(d, "file_material", &PartDiagnosis::file_material);
+  if (rules.empty() && d.parts.size() > 1) rules = rules_by(d, "part", &PartDiagnosis::name);
+  return rules.empty() ? "" : "\nassign:  # for a scene file\n" + rules + "  - {default: MATERIAL}\n";
 }
 
 Json known(bool is_known, const Json& value) {
@@ -70,13 +172,15 @@ Json text_or_null(std::string_view text) {
 }
 
 Json part_json(const PartDiagnosis& part, bool metres) {
-  return {{"name", part.name},
-          {"facets", part.facets},
-          {"area_m2", known(metres, part.area)},
-          {"volume_m3", known(metres && part.volume, part.volume.value_or(0.0))},
-          {"closed", part.closed},
-          {"material", text_or_null(part.file_material)},
-          {"colour", nullptr}};
+  Json json{{"name", part.name},
+            {"facets", part.facets},
+            {"area_m2", known(metres, part.area)},
+            {"volume_m3", known(metres && part.volume, part.volume.value_or(0.0))},
+            {"closed", part.closed},
+            {"material", text_or_null(part.file_material)},
+            {"colour", text_or_null(part.colour)}};
+  if (!part.layer.empty()) json["layer"] = part.layer;
+  return json;
 }
 
 Json box_json(const Diagnosis& d) {
@@ -87,10 +191,13 @@ Json box_json(const Diagnosis& d) {
 
 }  // namespace
 
-std::string info_text(const Diagnosis& d, std::string_view file, std::string_view unit) {
-  const std::string length = unit.empty() ? "unit" : "m";
-  return std::string(file) + "\n" +
-         fact("unit", unit.empty() ? "not known: lengths are in the file's unit" : std::string(unit)) +
+std::string info_text(const Diagnosis& d, const FileFacts& facts) {
+  const std::string length = facts.unit.empty() ? "unit" : "m";
+  std::string warnings;
+  for (const std::string& warning : facts.warnings) warnings += fact("warning", warning);
+  return facts.file + "\n" +
+         fact("unit", facts.unit.empty() ? "not known: lengths are in the file's unit" : facts.unit) +
+         (facts.tessellation.empty() ? "" : fact("tessellation", facts.tessellation)) + warnings +
          fact("parts", fmt::format("{}", d.parts.size())) + fact("facets", fmt::format("{}", d.facets)) +
          fact("vertices", fmt::format("{}", d.vertices)) + fact("area", fmt::format("{:.6g} {}^2", d.area, length)) +
          fact("volume", fmt::format("{:.6g} {}^3 (closed shells)", d.volume, length)) +
@@ -100,29 +207,32 @@ std::string info_text(const Diagnosis& d, std::string_view file, std::string_vie
          fact("non-manifold", fmt::format("{} edges", d.non_manifold_edges)) +
          fact("boundary", fmt::format("{} edges", d.boundary_edges)) +
          fact("flipped", fmt::format("{} facets of closed shells", d.flipped)) +
-         fact("self-intersecting", self_intersections_text(d.self_intersections)) + parts_table(d, length);
+         fact("self-intersecting", self_intersections_text(d.self_intersections)) + parts_table(d, length) +
+         assign_block(d);
 }
 
-std::string info_json(const Diagnosis& d, std::string_view unit) {
-  const bool metres = !unit.empty();
+std::string info_json(const Diagnosis& d, const FileFacts& facts) {
+  const bool metres = !facts.unit.empty();
   Json parts = Json::array();
   for (const PartDiagnosis& part : d.parts) parts.push_back(part_json(part, metres));
-  const Json json = {{"facets", d.facets},
-                     {"vertices", d.vertices},
-                     {"area_m2", known(metres, d.area)},
-                     {"volume_m3", known(metres, d.volume)},
-                     {"box_m", known(metres, box_json(d))},
-                     {"closed", d.closed},
-                     {"unit", text_or_null(unit)},
-                     {"diagnosis",
-                      {{"degenerate", d.degenerate},
-                       {"duplicate", d.duplicate},
-                       {"non_manifold_edges", d.non_manifold_edges},
-                       {"boundary_edges", d.boundary_edges},
-                       {"flipped", d.flipped},
-                       {"self_intersections", d.self_intersections.pairs},
-                       {"self_intersections_complete", d.self_intersections.complete}}},
-                     {"parts", parts}};
+  Json json = {{"facets", d.facets},
+               {"vertices", d.vertices},
+               {"area_m2", known(metres, d.area)},
+               {"volume_m3", known(metres, d.volume)},
+               {"box_m", known(metres, box_json(d))},
+               {"closed", d.closed},
+               {"unit", text_or_null(facts.unit)},
+               {"diagnosis",
+                {{"degenerate", d.degenerate},
+                 {"duplicate", d.duplicate},
+                 {"non_manifold_edges", d.non_manifold_edges},
+                 {"boundary_edges", d.boundary_edges},
+                 {"flipped", d.flipped},
+                 {"self_intersections", d.self_intersections.pairs},
+                 {"self_intersections_complete", d.self_intersections.complete}}},
+               {"parts", parts}};
+  if (!facts.tessellation.empty()) json["tessellation"] = facts.tessellation;
+  if (!facts.warnings.empty()) json["warnings"] = facts.warnings;
   // Names in files need not be UTF-8: what is not becomes U+FFFD rather than an exception.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

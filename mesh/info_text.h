@@ -1,19 +1,26 @@
 #pragma once
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "mesh/diagnosis.h"
 
 namespace lrcs {
 
-// What `lrcs info` prints for people: one fact a line, aligned, then the parts as a table.
-// `file` heads it; `unit` is the file's unit by its name (base/length.h) and `d` in metres; unit "" : the unit is not
-// known, `d` is in the file's unit, and that is said.
-[[nodiscard]] std::string info_text(const Diagnosis& d, std::string_view file, std::string_view unit);
+// What is known of a file besides its facets.
+struct FileFacts {
+  std::string file;
+  std::string unit;  // its name (base/length.h), the diagnosis being in metres; "": not known, it is in the file's
+  std::string tessellation;  // how facets were made of surfaces; "" where the file holds facets
+  std::vector<std::string> warnings;
+};
+
+// What `lrcs info` prints for people: one fact a line, aligned, then the parts as a tree with the sums of what holds
+// them, and a block `assign:` for a scene file, by what tells the parts apart: colours, materials, or parts.
+[[nodiscard]] std::string info_text(const Diagnosis& d, const FileFacts& facts);
 
 // The same as JSON, indented, with a line end: facets, vertices, area_m2, volume_m3, box_m, closed, unit, diagnosis,
-// parts. What is not known is null: the unit and all that needs it, where unit is ""; the volume of an open part; a
-// part's material where the file names none; colours.
-[[nodiscard]] std::string info_json(const Diagnosis& d, std::string_view unit);
+// parts; tessellation, warnings and a part's layer where there are any. What is not known is null: the unit and all
+// that needs it, where unit is ""; the volume of an open part; a part's material and colour where the file names none.
+[[nodiscard]] std::string info_json(const Diagnosis& d, const FileFacts& facts);
 
 }  // namespace lrcs

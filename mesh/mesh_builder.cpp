@@ -36,13 +36,21 @@ void MeshBuilder::add_polygon(std::span<const std::uint32_t> corners) {
   assert(corners.size() >= 3);
   cut_.clear();
   cut_polygon(mesh_.positions, corners, cut_);
-  mesh_.facets.insert(mesh_.facets.end(), cut_.begin(), cut_.end());
-  mesh_.part.resize(mesh_.size(), part_.use(mesh_.part_names));
-  mesh_.file_material.resize(mesh_.size(), material_.use(mesh_.file_material_names));
+  add_facets(cut_);
+}
+
+void MeshBuilder::add_facets(std::span<const std::array<std::uint32_t, 3>> facets) {
+  mesh_.facets.insert(mesh_.facets.end(), facets.begin(), facets.end());
+  mesh_.part.of.resize(mesh_.size(), part_.use(mesh_.part.names));
+  mesh_.file_material.of.resize(mesh_.size(), material_.use(mesh_.file_material.names));
+  mesh_.colour.of.resize(mesh_.size(), colour_.use(mesh_.colour.names));
+  mesh_.layer.of.resize(mesh_.size(), layer_.use(mesh_.layer.names));
   mesh_.source_facet.resize(mesh_.size(), polygons_++);
 }
 
 FacetMesh MeshBuilder::finish() {
+  for (FacetNames* told : {&mesh_.colour, &mesh_.layer})
+    if (told->names == std::vector<std::string>{""}) *told = {};
   measure_facets(mesh_);
   return std::exchange(mesh_, FacetMesh());
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -19,15 +20,20 @@ class MeshBuilder {
   std::uint32_t add_position(const Vec3& position);
   [[nodiscard]] std::size_t position_count() const { return mesh_.positions.size(); }
 
-  // The part and the material of the polygons that follow; "" before the first call.
+  // The part, the material, the colour and the layer of the polygons that follow; "" before the first call.
   void begin_part(std::string_view name) { part_.begin(name); }
   void begin_material(std::string_view name) { material_.begin(name); }
+  void begin_colour(std::string_view name) { colour_.begin(name); }
+  void begin_layer(std::string_view name) { layer_.begin(name); }
 
   // Adds a polygon, cut into facets (mesh/polygon_cut.h).
   // domain: at least 3 corners, indices of vertices already added.
   void add_polygon(std::span<const std::uint32_t> corners);
 
-  // The mesh, measured. The builder is empty after that.
+  // Adds facets of one polygon of the file, cut already. domain: indices of vertices already added.
+  void add_facets(std::span<const std::array<std::uint32_t, 3>> facets);
+
+  // The mesh, measured; without colours or layers where none has a name. The builder is empty after that.
   [[nodiscard]] FacetMesh finish();
 
  private:
@@ -42,8 +48,7 @@ class MeshBuilder {
   };
 
   FacetMesh mesh_;
-  Names part_;
-  Names material_;
+  Names part_, material_, colour_, layer_;
   std::uint32_t polygons_ = 0;
   std::vector<std::array<std::uint32_t, 3>> cut_;
 };

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/digest.h"
+#include "base/gunzip.h"
 #include "base/input_error.h"
 #include "mesh/file_format.h"
 #include "mesh/read_formats.h"
@@ -33,14 +34,20 @@ FacetMesh read_as(FileFormat format, std::string_view content, const std::string
   }
 }
 
+// By whose extension a format may be told: that of "a.stl.gz" is .stl.
+std::filesystem::path unpacked_name(const std::filesystem::path& file) {
+  return file.extension() == ".gz" ? file.parent_path() / file.stem() : file;
+}
+
 }  // namespace
 
 FacetMesh read_mesh(const std::filesystem::path& file) {
   require_regular(file);
-  const std::string bytes = content_of_file(file);
+  std::string bytes = content_of_file(file);
+  if (is_gzip(bytes)) bytes = gunzip(bytes, file.string());
   std::string_view content = bytes;
   if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);  // UTF-8's byte order mark
-  FacetMesh mesh = read_as(file_format_of(content, file), content, file.string());
+  FacetMesh mesh = read_as(file_format_of(content, unpacked_name(file)), content, file.string());
   if (mesh.size() == 0) throw InputError(Place{file.string()}, "holds no facets, expected at least one");
   return mesh;
 }

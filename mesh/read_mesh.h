@@ -5,7 +5,8 @@
 
 namespace lrcs {
 
-// Reads a target from a file: STL (text, binary), OBJ, PLY (text, binary of either byte order), OFF. The format is
+// Reads a target from a file: STL (text, binary), OBJ, PLY (text, binary of either byte order), OFF, or such a file
+// compressed by gzip. The format is
 // known by the content; the extension decides only where content leaves it open.
 // value: facets in file order, measured; coordinates are the doubles nearest to the decimals, or the file's floats.
 // frame: unit and axes of the file.

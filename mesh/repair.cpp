@@ -34,20 +34,19 @@ std::size_t weld(FacetMesh& mesh) {
 
 // Drops the facets of which `drop` is true, and says how many they were.
 std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
+  const std::array lists{&mesh.part.of, &mesh.file_material.of, &mesh.colour.of, &mesh.layer.of, &mesh.source_facet};
   std::size_t kept = 0;
   for (std::size_t k = 0; k < mesh.size(); ++k) {
     if (drop(k)) continue;
     mesh.facets[kept] = mesh.facets[k];
-    mesh.part[kept] = mesh.part[k];
-    mesh.file_material[kept] = mesh.file_material[k];
-    mesh.source_facet[kept] = mesh.source_facet[k];
+    for (auto* list : lists)
+      if (!list->empty()) (*list)[kept] = (*list)[k];
     ++kept;
   }
   const std::size_t dropped = mesh.size() - kept;
   mesh.facets.resize(kept);
-  mesh.part.resize(kept);
-  mesh.file_material.resize(kept);
-  mesh.source_facet.resize(kept);
+  for (auto* list : lists)
+    if (!list->empty()) list->resize(kept);
   return dropped;
 }
 
@@ -79,7 +78,7 @@ void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairCounts& counts) {
   std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
   known.reserve(mesh.size());
   drop_facets(mesh, [&](std::size_t k) {
-    if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part[k] : 0U).second) return false;
+    if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part.of[k] : 0U).second) return false;
     // A degenerate facet is counted as that already.
     if (!is_degenerate(mesh, k)) ++counts.duplicate;
     return true;

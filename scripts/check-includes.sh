@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 status=0
 allow() { # folder, folders it may include
-  wrong=$(grep -nE '^#include "(base|brdf|measurement|fit|mesh|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
+  wrong=$(grep -nE '^#include "(base|brdf|measurement|fit|mesh|cad|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
   [ -z "$wrong" ] || { echo "$wrong"; status=1; }
 }
 allow base 'base'
@@ -12,8 +12,9 @@ allow brdf 'base|measurement|brdf'
 allow measurement 'base|measurement'
 allow fit 'base|measurement|brdf|fit'
 allow mesh 'base|mesh'
-allow lrcs 'base|measurement|brdf|mesh|lrcs'
+allow cad 'base|mesh|cad'
+allow lrcs 'base|measurement|brdf|mesh|cad|lrcs'
 allow view 'base|mesh|view'
-allow cli 'base|measurement|brdf|fit|mesh|lrcs|view|cli'
+allow cli 'base|measurement|brdf|fit|mesh|cad|lrcs|view|cli'
 allow bench 'base|measurement|brdf|fit|mesh|lrcs|view|bench'
 exit $status

@@ -25,7 +25,7 @@ void require_one_a_facet(std::size_t found, const FacetMesh& mesh, const char* n
 }
 
 void require_valid(const FacetMesh& mesh, const FacetResult& result) {
-  require_one_a_facet(mesh.part.size(), mesh, "part");
+  require_one_a_facet(mesh.part.of.size(), mesh, "part");
   require_one_a_facet(mesh.source_facet.size(), mesh, "source_facet");
   require_one_a_facet(result.material.size(), mesh, "material");
   require_one_a_facet(result.seen_fraction.size(), mesh, "seen_fraction");
@@ -57,7 +57,7 @@ vtkSmartPointer<Array> array_of(const char* name, const Values& values) {
 }
 
 void add_cell_arrays(vtkCellData* cells, const FacetMesh& mesh, const FacetResult& result) {
-  cells->AddArray(array_of<vtkUnsignedIntArray>("part", mesh.part));
+  cells->AddArray(array_of<vtkUnsignedIntArray>("part", mesh.part.of));
   cells->AddArray(array_of<vtkUnsignedIntArray>("material", result.material));
   cells->AddArray(array_of<vtkUnsignedIntArray>("source_facet", mesh.source_facet));
   cells->AddArray(array_of<vtkDoubleArray>("seen_fraction", result.seen_fraction));
@@ -67,7 +67,7 @@ void add_cell_arrays(vtkCellData* cells, const FacetMesh& mesh, const FacetResul
 
 void add_field_arrays(vtkFieldData* fields, const FacetMesh& mesh, const FacetResult& result) {
   using Single = std::vector<double>;
-  fields->AddArray(array_of<vtkStringArray>("part_names", mesh.part_names));
+  fields->AddArray(array_of<vtkStringArray>("part_names", mesh.part.names));
   fields->AddArray(array_of<vtkStringArray>("material_names", result.material_names));
   fields->AddArray(array_of<vtkDoubleArray>("transmitter_azimuth_deg", Single{result.transmitter_azimuth_deg}));
   fields->AddArray(array_of<vtkDoubleArray>("transmitter_elevation_deg", Single{result.transmitter_elevation_deg}));

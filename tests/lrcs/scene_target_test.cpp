@@ -15,10 +15,10 @@ using Indices = std::vector<std::uint32_t>;
 FacetMesh four_parts() {
   FacetMesh mesh;
   for (int k = 0; k < 4; ++k) add_triangle(mesh, {k + 0.0, 0, 0}, {k + 1.0, 0, 0}, {k + 0.0, 1, 0});
-  mesh.part = {0, 1, 2, 3};
-  mesh.part_names = {"panel 1", "panel 2", "body", "nose"};
-  mesh.file_material = {0, 1, 0, 2};
-  mesh.file_material_names = {"Gold", "Silver", "Tin"};
+  mesh.part.of = {0, 1, 2, 3};
+  mesh.part.names = {"panel 1", "panel 2", "body", "nose"};
+  mesh.file_material.of = {0, 1, 0, 2};
+  mesh.file_material.names = {"Gold", "Silver", "Tin"};
   return mesh;
 }
 
@@ -71,6 +71,20 @@ TEST(AssignMaterials, GoesByTheMaterialsOfTheFileToo) {
             (Indices{0, 1, 2, 1}));
 }
 
+TEST(AssignMaterials, GoesByColoursAndLayersToo) {
+  FacetMesh mesh = four_parts();
+  mesh.colour = {{0, 1, 1, 0}, {"#c0c0c0", "#00ff7f"}};
+  mesh.layer = {{0, 0, 1, 0}, {"", "paint"}};
+  EXPECT_EQ(assign_materials(mesh, scene_of({rule(By::layer, "paint", "c"), rule(By::colour, "#00FF7F", "b"),
+                                             rule(By::everything, "", "a")})),
+            (Indices{0, 1, 2, 0}));
+}
+
+TEST(AssignMaterials, SaysWhereAFileHasNoColours) {
+  EXPECT_EQ(complaint_about({rule(By::colour, "#ff0000", "a"), rule(By::everything, "", "a")}),
+            "scene.yaml:10:5: pattern '#ff0000' matches no colour of the target (the file has no colours)");
+}
+
 TEST(AssignMaterials, RefusesAPatternThatMatchesNothing) {
   EXPECT_EQ(complaint_about({rule(By::part, "panle 1", "a"), rule(By::everything, "", "a")}),
             "scene.yaml:10:5: pattern 'panle 1' matches no part of the target, did you mean 'panel 1'? (parts: 'panel "
@@ -93,7 +107,7 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   folder.write("t.off", "OFF\n3 3 0\n0 0 0\n0 1000 0\n0 0 2000\n3 0 1 2\n3 0 1 2\n3 0 1 1\n");
   Scene scene = scene_of({rule(By::everything, "", "b")});
   scene.target.file = folder.path() / "t.off";
-  scene.target.metres_per_unit = 1e-3;
+  scene.target.unit = "mm";
   scene.target.forward = "+y";
   const LoadedTarget repaired = load_target(scene);
   EXPECT_EQ(repaired.target.mesh.size(), 1U);

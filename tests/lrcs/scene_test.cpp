@@ -20,6 +20,8 @@ target:
   up: +z
   sides: both                   # a facet reflects from whichever side is seen; front: from its outward side only
   repair: auto                  # weld, drop degenerate and duplicate facets, orient closed parts outward; none: as given
+  chord_tolerance: 1e-3         # of CAD surfaces: how far facets may lie off them, of a part's size, or a length (0.1 mm)
+  chord_angle: 8                # the same: how far they may turn from edge to edge [deg]
 materials:
   skin:  {library: metal-skin-5p}
   paint: {model: five_parameter, kb: 0.153, kr: 0.456, b: -26.998, a: 0.667, kd: 0.015, azimuth_of_specular: 180}
@@ -54,7 +56,9 @@ TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   EXPECT_EQ(scene.wavelength, 1.06e-6);
   EXPECT_EQ(scene.target.file, folder_.path() / "motor.stl");
   EXPECT_EQ(scene.target.unit, "mm");
-  EXPECT_EQ(scene.target.metres_per_unit, 1e-3);
+  EXPECT_EQ(scene.target.tessellation.relative, 1e-3);
+  EXPECT_EQ(scene.target.tessellation.absolute, std::nullopt);
+  EXPECT_EQ(scene.target.tessellation.angle_deg, 8.0);
   EXPECT_EQ(scene.target.forward, "+x");
   EXPECT_EQ(scene.target.up, "+z");
   EXPECT_EQ(scene.target.sides, Sides::both);

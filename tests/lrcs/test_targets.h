@@ -22,11 +22,11 @@ inline std::uint32_t add_vertex(FacetMesh& mesh, const Vec3& p) {
 
 inline void add_facet(FacetMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   mesh.facets.push_back({a, b, c});
-  mesh.part.push_back(0);
-  mesh.file_material.push_back(0);
+  mesh.part.of.push_back(0);
+  mesh.file_material.of.push_back(0);
   mesh.source_facet.push_back(static_cast<std::uint32_t>(mesh.facets.size() - 1));
-  mesh.part_names = {""};
-  mesh.file_material_names = {""};
+  mesh.part.names = {""};
+  mesh.file_material.names = {""};
 }
 
 inline void add_triangle(FacetMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -10,7 +10,7 @@
 namespace lrcs {
 namespace {
 
-constexpr const char* expected = "expected STL, OBJ, PLY or OFF";
+constexpr const char* expected = "expected STEP, IGES, BREP, STL, OBJ, PLY or OFF";
 
 std::string stl(const std::string& loop) {
   return "solid a\nfacet normal 0 0 1\nouter loop\n" + loop + "endloop\nendfacet\nendsolid\n";
@@ -48,11 +48,19 @@ TEST(BadFile, IsUtf16) {
 
 TEST(BadFile, IsOfAFormatThatIsNotRead) {
   const std::string tail = std::string(", which is not read yet; ") + expected;
-  EXPECT_EQ(complaint_about("a.stp", "ISO-10303-21;\nHEADER;\n"), "a.stp: is a STEP file" + tail);
   EXPECT_EQ(complaint_about("a.glb", std::string("glTF\2\0\0\0", 8)), "a.glb: is a binary glTF file (GLB)" + tail);
   EXPECT_EQ(complaint_about("a.gltf", "{\"asset\": {}}"), "a.gltf: is a glTF file" + tail);
-  EXPECT_EQ(complaint_about("a.stl", "\x1f\x8b\x08"), "a.stl: is compressed (gzip)" + tail);
-  EXPECT_EQ(complaint_about("a.igs", std::string(72, ' ') + "S      1\n"), "a.igs: is an IGES file" + tail);
+}
+
+TEST(BadFile, HoldsSurfaces) {
+  const std::string message = ": holds CAD surfaces, expected facets";
+  EXPECT_EQ(complaint_about("a.stp", "ISO-10303-21;\nHEADER;\n"), "a.stp" + message);
+  EXPECT_EQ(complaint_about("a.brep", "\nCASCADE Topology V1\n"), "a.brep" + message);
+  EXPECT_EQ(complaint_about("a.igs", std::string(72, ' ') + "S      1\n"), "a.igs" + message);
+}
+
+TEST(BadFile, IsDamagedGzip) {
+  EXPECT_EQ(complaint_about("a.stl", "\x1f\x8b\x08"), "a.stl: is compressed by gzip and cannot be unpacked: cut off");
 }
 
 TEST(BadFile, IsOfNoKnownFormat) {

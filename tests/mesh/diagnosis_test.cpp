@@ -131,9 +131,9 @@ TEST(Diagnosis, IsTheSameForAnyOrderOfTheFacets) {
 
 TEST(InfoJson, HasTheKeysOfTheInterface) {
   FacetMesh mesh = unit_box();
-  mesh.part_names = {"hull"};
-  mesh.file_material_names = {"paint"};
-  const auto json = nlohmann::ordered_json::parse(info_json(diagnose(mesh), "mm"));
+  mesh.part.names = {"hull"};
+  mesh.file_material.names = {"paint"};
+  const auto json = nlohmann::ordered_json::parse(info_json(diagnose(mesh), {"", "mm", "", {}}));
   EXPECT_EQ(
       json.dump(),
       R"({"facets":12,"vertices":8,"area_m2":6.0,"volume_m3":1.0,"box_m":[[0.0,0.0,0.0],[1.0,1.0,1.0]],"closed":true,)"
@@ -145,7 +145,7 @@ TEST(InfoJson, HasTheKeysOfTheInterface) {
 TEST(InfoJson, HasNullForWhatIsNotKnown) {
   FacetMesh open = unit_box();
   open.facets.resize(10);
-  const auto json = nlohmann::json::parse(info_json(diagnose(mesh_of(open.positions, open.facets)), ""));
+  const auto json = nlohmann::json::parse(info_json(diagnose(mesh_of(open.positions, open.facets)), {}));
   EXPECT_TRUE(json["unit"].is_null());
   EXPECT_TRUE(json["area_m2"].is_null());
   EXPECT_TRUE(json["box_m"].is_null());
@@ -155,23 +155,25 @@ TEST(InfoJson, HasNullForWhatIsNotKnown) {
 
 TEST(InfoJson, ReplacesWhatIsNotUtf8InAName) {
   FacetMesh mesh = unit_box();
-  mesh.part_names = {"Fl\xfcgel"};
-  EXPECT_EQ(nlohmann::json::parse(info_json(diagnose(mesh), "m"))["parts"][0]["name"], "Fl\xef\xbf\xbdgel");
+  mesh.part.names = {"Fl\xfcgel"};
+  EXPECT_EQ(nlohmann::json::parse(info_json(diagnose(mesh), {"", "m", "", {}}))["parts"][0]["name"],
+            "Fl\xef\xbf\xbdgel");
 }
 
 TEST(InfoText, SaysWhereTheCountOfSelfIntersectionsStopped) {
   Diagnosis d = diagnose(unit_box());
   d.self_intersections = {5, false};
-  EXPECT_NE(info_text(d, "box.stl", "mm").find("at least 5 pairs of facets (counting stopped)\n"), std::string::npos);
-  const auto json = nlohmann::json::parse(info_json(d, "mm"));
+  EXPECT_NE(info_text(d, {"box.stl", "mm", "", {}}).find("at least 5 pairs of facets (counting stopped)\n"),
+            std::string::npos);
+  const auto json = nlohmann::json::parse(info_json(d, {"", "mm", "", {}}));
   EXPECT_EQ(json["diagnosis"]["self_intersections"], 5);
   EXPECT_EQ(json["diagnosis"]["self_intersections_complete"], false);
 }
 
 TEST(InfoText, TellsAPersonWhatWasRead) {
   FacetMesh mesh = joined(unit_box(), mesh_of({{4, 0, 0}, {5, 0, 0}, {4, 1, 0}}, {{0, 1, 2}}), true);
-  mesh.part_names = {"h\xc3\xbclle", "sail"};
-  EXPECT_EQ(info_text(diagnose(mesh), "box.stl", "mm"),
+  mesh.part.names = {"h\xc3\xbclle", "sail"};
+  EXPECT_EQ(info_text(diagnose(mesh), {"box.stl", "mm", "", {}}),
             "box.stl\n"
             "unit                  mm\n"
             "parts                 2\n"
@@ -190,7 +192,12 @@ TEST(InfoText, TellsAPersonWhatWasRead) {
             "\n"
             "part      facets      area [m^2]    volume [m^3]  closed  material\n"
             "h\xc3\xbclle         12               6               1  yes     -\n"
-            "sail           1             0.5               -  no      -\n");
+            "sail           1             0.5               -  no      -\n"
+            "\n"
+            "assign:  # for a scene file\n"
+            "  - {part: \"h\xc3\xbclle\", material: MATERIAL}  # 1 part, area 6\n"
+            "  - {part: \"sail\", material: MATERIAL}  # 1 part, area 0.5\n"
+            "  - {default: MATERIAL}\n");
 }
 
 }  // namespace

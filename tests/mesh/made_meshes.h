@@ -24,11 +24,11 @@ inline FacetMesh mesh_of(std::vector<Vec3> positions, Triangles facets) {
   FacetMesh mesh;
   mesh.positions = std::move(positions);
   mesh.facets = std::move(facets);
-  mesh.part.assign(mesh.size(), 0);
-  mesh.file_material.assign(mesh.size(), 0);
+  mesh.part.of.assign(mesh.size(), 0);
+  mesh.file_material.of.assign(mesh.size(), 0);
   for (std::uint32_t k = 0; k < mesh.size(); ++k) mesh.source_facet.push_back(k);
-  mesh.part_names = {""};
-  mesh.file_material_names = {""};
+  mesh.part.names = {""};
+  mesh.file_material.names = {""};
   measure_facets(mesh);
   return mesh;
 }
@@ -68,9 +68,9 @@ inline FacetMesh joined(FacetMesh a, const FacetMesh& b, bool own_part = false) 
   const auto offset = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
   for (const auto& f : b.facets) a.facets.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
-  if (own_part) a.part_names.push_back("part " + std::to_string(a.part_names.size()));
-  a.part.resize(a.size(), static_cast<std::uint32_t>(a.part_names.size()) - 1);
-  a.file_material.resize(a.size(), 0);
+  if (own_part) a.part.names.push_back("part " + std::to_string(a.part.names.size()));
+  a.part.of.resize(a.size(), static_cast<std::uint32_t>(a.part.names.size()) - 1);
+  a.file_material.of.resize(a.size(), 0);
   while (a.source_facet.size() < a.size()) a.source_facet.push_back(static_cast<std::uint32_t>(a.source_facet.size()));
   measure_facets(a);
   return a;

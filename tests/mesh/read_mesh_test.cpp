@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "mesh_files.h"
+#include "tests/base/gzip.h"
 
 namespace lrcs {
 namespace {
@@ -79,9 +80,9 @@ TEST(ReadTextStl, MakesAPartOfEverySolidNameThatHasFacets) {
   const FacetMesh mesh =
       mesh_of_file("a.stl", "solid left wing \n" + facet + "endsolid left wing\nSOLID\n" + facet + facet +
                                 "ENDSOLID\nsolid empty\nendsolid\nsolid left wing\n" + facet + "endsolid other\n");
-  EXPECT_EQ(mesh.part_names, (std::vector<std::string>{"left wing", ""}));
-  EXPECT_EQ(mesh.part, (std::vector<std::uint32_t>{0, 1, 1, 0}));
-  EXPECT_EQ(mesh.file_material_names, std::vector<std::string>{""});
+  EXPECT_EQ(mesh.part.names, (std::vector<std::string>{"left wing", ""}));
+  EXPECT_EQ(mesh.part.of, (std::vector<std::uint32_t>{0, 1, 1, 0}));
+  EXPECT_EQ(mesh.file_material.names, std::vector<std::string>{""});
 }
 
 TEST(ReadTextStl, TakesNoNoticeOfStoredNormals) {
@@ -109,10 +110,10 @@ TEST(ReadObj, MakesPartsOfObjectsAndGroupsAndMaterialsOfUsemtl) {
       mesh_of_file("a.obj", "mtllib nowhere.mtl\n" + std::string(four) +
                                 "f 1 2 3\no tail fin\nusemtl red\nf 1 2 3\ng rudder # not a comment\n"
                                 "usemtl blue\nf 1 3 4\no tail fin\nf 1 2 4\n");
-  EXPECT_EQ(mesh.part_names, (std::vector<std::string>{"", "tail fin", "rudder # not a comment"}));
-  EXPECT_EQ(mesh.part, (std::vector<std::uint32_t>{0, 1, 2, 1}));
-  EXPECT_EQ(mesh.file_material_names, (std::vector<std::string>{"", "red", "blue"}));
-  EXPECT_EQ(mesh.file_material, (std::vector<std::uint32_t>{0, 1, 2, 2}));
+  EXPECT_EQ(mesh.part.names, (std::vector<std::string>{"", "tail fin", "rudder # not a comment"}));
+  EXPECT_EQ(mesh.part.of, (std::vector<std::uint32_t>{0, 1, 2, 1}));
+  EXPECT_EQ(mesh.file_material.names, (std::vector<std::string>{"", "red", "blue"}));
+  EXPECT_EQ(mesh.file_material.of, (std::vector<std::uint32_t>{0, 1, 2, 2}));
 }
 
 TEST(ReadObj, UnderstandsEveryWayToNameAVertex) {
@@ -159,6 +160,12 @@ TEST(ReadOff, TakesRowsWhoseEndIsContinuedOrACommentOrMissing) {
     EXPECT_EQ(mesh_of_file("a.off", "OFF\n3 1 0\n0 0 0\n1 \\\r\n0 0\n0 1 0 # last \\\n" + row).facets,
               (Triangles{{0, 1, 2}}))
         << row;
+}
+
+TEST(ReadMesh, ReadsWhatIsCompressed) {
+  const Folder folder;
+  for (const std::string& content : {text_stl(unit_box()), binary_stl(unit_box()), obj(unit_box())})
+    EXPECT_EQ(read_mesh(folder.write("a.stl.gz", gzip(content))).size(), 12U);
 }
 
 }  // namespace

@@ -105,8 +105,8 @@ TEST(Repair, TurnsAnInwardPartThatTouchesItsNeighbourFaceToFace) {
 
 TEST(Repair, TurnsABodyWhosePanelsAreParts) {
   FacetMesh mesh = reversed(unit_box());
-  mesh.part_names = {"lower", "upper"};
-  for (std::size_t k = 6; k < 12; ++k) mesh.part[k] = 1;
+  mesh.part.names = {"lower", "upper"};
+  for (std::size_t k = 6; k < 12; ++k) mesh.part.of[k] = 1;
   EXPECT_EQ(repair(mesh).flipped, 12U);
   EXPECT_NEAR(volume(mesh), 1.0, 1e-15);
 }
@@ -134,12 +134,12 @@ TEST(Repair, FindsABodyClosedThatOnlyACollinearFacetCloses) {
 
 TEST(Repair, CarriesWhatBelongsToAFacetAlong) {
   FacetMesh mesh = joined(mesh_of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}), unit_box(), true);
-  mesh.file_material_names = {"", "steel"};
-  mesh.file_material[12] = 1;
+  mesh.file_material.names = {"", "steel"};
+  mesh.file_material.of[12] = 1;
   repair(mesh);
   EXPECT_EQ(mesh.size(), 12U);
-  EXPECT_EQ(mesh.part, std::vector<std::uint32_t>(12, 1));
-  EXPECT_EQ(mesh.file_material.back(), 1U);
+  EXPECT_EQ(mesh.part.of, std::vector<std::uint32_t>(12, 1));
+  EXPECT_EQ(mesh.file_material.of.back(), 1U);
   EXPECT_EQ(mesh.source_facet.front(), 1U);
   EXPECT_EQ(mesh.areas.size(), 12U);
 }

@@ -46,7 +46,7 @@ class FacetsVtp : public testing::Test {
 
 TEST_F(FacetsVtp, ReadsBackWithEveryArrayAndExactDoubles) {
   read_back();
-  expect_cells("part", plates_.mesh.part);
+  expect_cells("part", plates_.mesh.part.of);
   expect_cells("material", plates_.result.material);
   expect_cells("source_facet", plates_.mesh.source_facet);
   expect_cells("seen_fraction", plates_.result.seen_fraction);
@@ -72,7 +72,7 @@ TEST_F(FacetsVtp, KeepsCornersExactlyAndInOrder) {
 TEST_F(FacetsVtp, NamesPartsAndMaterials) {
   read_back();
   EXPECT_EQ(name("part_names", 0), "right");
-  EXPECT_EQ(name("part_names", 1), plates_.mesh.part_names[1]);
+  EXPECT_EQ(name("part_names", 1), plates_.mesh.part.names[1]);
   EXPECT_EQ(name("material_names", 1), "paint");
 }
 

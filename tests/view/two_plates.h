@@ -17,11 +17,11 @@ inline TwoPlates two_plates() {
   mesh.positions = {{0.1, 0.0, 0.0}, {0.1, 1.0, 0.0}, {0.1, 1.0, 1.0}, {0.1, 0.0, 1.0},
                     {0.1, 1.1, 0.0}, {0.1, 2.1, 0.0}, {0.1, 2.1, 1.0}, {0.1, 1.1, 1.0}};
   mesh.facets = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
-  mesh.part = {0, 0, 1, 1};
-  mesh.part_names = {"right", "left, \"quoted\" & <odd>"};
+  mesh.part.of = {0, 0, 1, 1};
+  mesh.part.names = {"right", "left, \"quoted\" & <odd>"};
   mesh.source_facet = {0, 0, 1, 1};
-  mesh.file_material = {0, 0, 0, 0};
-  mesh.file_material_names = {""};
+  mesh.file_material.of = {0, 0, 0, 0};
+  mesh.file_material.names = {""};
   mesh.normals.assign(4, Vec3::UnitX());
   mesh.areas.assign(4, 0.5);
   plates.result.material = {1, 1, 0, 0};

@@ -1,0 +1,21 @@
+#pragma once
+#include <functional>
+#include <string>
+
+namespace lrcs {
+
+// What a reader may take of the machine.
+struct ReaderLimits {
+  double processor_s = 60.0;         // [s]
+  std::size_t memory = 4ULL << 30U;  // [bytes] beyond what the program has already
+};
+
+// Runs `work` in a process of its own and gives the bytes that it returns: a library that a damaged file kills, or
+// makes run for ever, does not take the program with it. What it prints is thrown away. error: an InputError of `work`
+// comes out here; another exception, a signal or a limit is an InputError that names
+//   the file. std::runtime_error where no process can be had.
+// domain: call it before threads are started, or where they hold no lock that `work` needs.
+[[nodiscard]] std::string contained(const std::string& file, const ReaderLimits& limits,
+                                    const std::function<std::string()>& work);
+
+}  // namespace lrcs

@@ -1,0 +1,88 @@
+#include "cad/mesh_bytes.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace lrcs {
+namespace {
+
+void append_count(std::string& bytes, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+}
+
+std::string_view take(std::string_view& bytes, std::size_t count) {
+  if (count > bytes.size()) throw std::runtime_error("a mesh ends too early");
+  const std::string_view taken = bytes.substr(0, count);
+  bytes.remove_prefix(count);
+  return taken;
+}
+
+std::size_t take_count(std::string_view& bytes) {
+  std::size_t count = 0;
+  std::memcpy(&count, take(bytes, sizeof count).data(), sizeof count);
+  return count;
+}
+
+// Of plain numbers and arrays of them.
+template <class T>
+void append(std::string& bytes, const std::vector<T>& values) {
+  append_count(bytes, values.size());
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+template <class T>
+void take(std::string_view& bytes, std::vector<T>& values) {
+  const std::size_t count = take_count(bytes);
+  if (count > bytes.size() / sizeof(T)) throw std::runtime_error("a mesh ends too early");
+  values.resize(count);
+  if (count > 0)
+    std::memcpy(static_cast<void*>(values.data()), take(bytes, count * sizeof(T)).data(), count * sizeof(T));
+}
+
+}  // namespace
+
+void append_words(std::string& bytes, const std::vector<std::string>& words) {
+  append_count(bytes, words.size());
+  for (const std::string& word : words) {
+    append_count(bytes, word.size());
+    bytes += word;
+  }
+}
+
+std::vector<std::string> take_words(std::string_view& bytes) {
+  std::vector<std::string> words;
+  for (std::size_t count = take_count(bytes); count > 0; --count) words.emplace_back(take(bytes, take_count(bytes)));
+  return words;
+}
+
+std::string bytes_of_mesh(const FacetMesh& mesh) {
+  std::string bytes;
+  append(bytes, mesh.positions);
+  append(bytes, mesh.facets);
+  append(bytes, mesh.source_facet);
+  for (const FacetNames* told : {&mesh.part, &mesh.file_material, &mesh.colour, &mesh.layer}) {
+    append(bytes, told->of);
+    append_words(bytes, told->names);
+  }
+  append(bytes, std::vector{mesh.metres_per_unit});
+  return bytes;
+}
+
+FacetMesh mesh_of_bytes(std::string_view& bytes) {
+  FacetMesh mesh;
+  take(bytes, mesh.positions);
+  take(bytes, mesh.facets);
+  take(bytes, mesh.source_facet);
+  for (FacetNames* told : {&mesh.part, &mesh.file_material, &mesh.colour, &mesh.layer}) {
+    take(bytes, told->of);
+    told->names = take_words(bytes);
+  }
+  std::vector<double> unit;
+  take(bytes, unit);
+  mesh.metres_per_unit = unit.at(0);
+  measure_facets(mesh);
+  return mesh;
+}
+
+}  // namespace lrcs

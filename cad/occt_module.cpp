@@ -1,0 +1,37 @@
+#include "cad/occt_module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace lrcs {
+namespace {
+
+std::filesystem::path folder_of_program() {
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+}  // namespace
+
+ReadCadFunction* load_occt_module() {
+  const std::filesystem::path here = folder_of_program();
+  const std::string name = "liblrcs-occt.so";
+  const std::vector<std::filesystem::path> places{here / name, here.parent_path() / LRCS_LIBRARY_FOLDER / "lrcs" / name,
+                                                  std::filesystem::path(LRCS_INSTALLED_LIBRARIES) / "lrcs" / name,
+                                                  name};
+  std::string complaints;
+  for (const auto& place : places) {
+    std::error_code none;
+    if (place.has_parent_path() && !std::filesystem::exists(place, none)) continue;
+    if (void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL))
+      if (void* function = dlsym(library, "lrcs_read_cad")) return reinterpret_cast<ReadCadFunction*>(function);
+    complaints = dlerror();
+  }
+  throw std::runtime_error(fmt::format("the reader of CAD files cannot be loaded: {}", complaints));
+}
+
+}  // namespace lrcs

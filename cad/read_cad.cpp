@@ -1,0 +1,165 @@
+#include "cad/read_cad.h"
+
+#include <fmt/format.h>
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/input_error.h"
+#include "base/length.h"
+#include "cad/cad_parts.h"
+#include "cad/near_points.h"
+#include "cad/shape_size.h"
+#include "mesh/mesh_builder.h"
+
+namespace lrcs {
+namespace {
+
+using Facets = std::vector<std::array<std::uint32_t, 3>>;
+
+double chord_tolerance(const TopoDS_Shape& product, const Tessellation& wanted, double metres_per_unit) {
+  return wanted.absolute ? *wanted.absolute / metres_per_unit : wanted.relative * diagonal_of(product);
+}
+
+void tessellate(const TopoDS_Shape& product, double chord, double angle_deg) {
+  if (!(chord > 0.0)) return;
+  IMeshTools_Parameters parameters;
+  parameters.Deflection = parameters.DeflectionInterior = chord;
+  parameters.Angle = angle_deg * std::numbers::pi / 180.0;
+  parameters.InParallel = false;
+  BRepMesh_IncrementalMesh(product, parameters);
+}
+
+// The facets of placed faces, in the order of the file.
+class Builder {
+ public:
+  // chord: the tolerance of the part's tessellation.
+  void add(const CadPart& part, double chord) {
+    builder_.begin_part(part.path);
+    NearPoints points(weld_tolerance(part, chord));
+    for (const CadFace& face : part.faces) {
+      builder_.begin_material(face.look.material);
+      builder_.begin_colour(face.look.colour);
+      builder_.begin_layer(face.look.layer);
+      add(face.face, part.path, points);
+    }
+  }
+
+  [[nodiscard]] FacetMesh finish() { return builder_.finish(); }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  // Faces meet within their edges' tolerance, or within the digits of a file (IGES: 1e-7 of a part's size, which is
+  // 1e-4 of the usual chord tolerance); a tolerance above a hundredth of the facets' own error is not believed.
+  static double weld_tolerance(const CadPart& part, double chord) {
+    double most = Precision::Confusion();
+    for (const CadFace& face : part.faces)
+      for (TopExp_Explorer edge(face.face, TopAbs_EDGE); edge.More(); edge.Next())
+        most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(edge.Current())));
+    return std::max({Precision::Confusion(), std::min(most, 0.01 * chord), 1e-4 * chord});
+  }
+
+  void add(const TopoDS_Face& face, const std::string& path, NearPoints& points) {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
+    if (triangles.IsNull() || triangles->NbTriangles() == 0) {
+      warn_of_lost_face(path);
+      return;
+    }
+    const gp_Trsf& placed = location.Transformation();
+    std::vector<std::uint32_t> corner;
+    corner.reserve(static_cast<std::size_t>(triangles->NbNodes()));
+    for (int k = 1; k <= triangles->NbNodes(); ++k) {
+      const gp_Pnt p = triangles->Node(k).Transformed(placed);
+      if (!is_coordinate(p.X()) || !is_coordinate(p.Y()) || !is_coordinate(p.Z())) {
+        warn_of_lost_face(path);
+        return;
+      }
+      const Vec3 position(p.X(), p.Y(), p.Z());
+      const auto next = static_cast<std::uint32_t>(builder_.position_count());
+      corner.push_back(points.find_or_add(position, next));
+      if (corner.back() == next) builder_.add_position(position);
+    }
+    const bool turn = (face.Orientation() == TopAbs_REVERSED) != placed.IsNegative();
+    facets_.clear();
+    for (int k = 1; k <= triangles->NbTriangles(); ++k) {
+      int a = 0, b = 0, c = 0;
+      triangles->Triangle(k).Get(a, b, c);
+      if (turn) std::swap(b, c);
+      facets_.push_back({corner[static_cast<std::size_t>(a) - 1], corner[static_cast<std::size_t>(b) - 1],
+                         corner[static_cast<std::size_t>(c) - 1]});
+    }
+    builder_.add_facets(facets_);
+  }
+
+  void warn_of_lost_face(const std::string& path) {
+    if (path == lost_in_)
+      ++lost_;
+    else
+      lost_ = 1;
+    const std::string warning =
+        fmt::format("part '{}': {} of its faces could not be made facets: they are missing", path, lost_);
+    if (path == lost_in_)
+      warnings_.back() = warning;
+    else
+      warnings_.push_back(warning);
+    lost_in_ = path;
+  }
+
+  MeshBuilder builder_;
+  Facets facets_;
+  std::vector<std::string> warnings_;
+  std::string lost_in_;
+  int lost_ = 0;
+};
+
+// Metres in what Open CASCADE has for 1.
+double metres_per_unit_of(const CadDocument& document, const std::string& unit) {
+  if (unit.empty()) return document.unit.empty() ? 1.0 : 1e-3;
+  return document.unit.empty() ? metres_in(unit) : metres_in(unit) / document.unit_mm;
+}
+
+CadMesh read(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+             const Tessellation& wanted) {
+  const CadDocument document = read_cad_document(file, format);
+  const double metres_per_unit = metres_per_unit_of(document, unit);
+  CadMesh cad;
+  cad.unit = unit.empty() ? document.unit : unit;
+  Builder builder;
+  TopTools_MapOfShape known;
+  for (const CadPart& part : cad_parts(document, file.string())) {
+    const double chord = chord_tolerance(part.product, wanted, metres_per_unit);
+    if (known.Add(part.product)) tessellate(part.product, chord, wanted.angle_deg);
+    builder.add(part, chord);
+  }
+  cad.mesh = builder.finish();
+  cad.mesh.metres_per_unit = metres_per_unit;
+  cad.warnings = builder.warnings();
+  if (cad.mesh.size() == 0)
+    throw InputError(Place{file.string()}, "holds no surface that can be made facets, expected at least one");
+  return cad;
+}
+
+}  // namespace
+
+CadMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+                 const Tessellation& tessellation) {
+  try {
+    return read(file, format, unit, tessellation);
+  } catch (const Standard_Failure& failure) {
+    throw InputError(Place{file.string()}, fmt::format("Open CASCADE cannot use it: {} {}",
+                                                       failure.DynamicType()->Name(), failure.GetMessageString()));
+  }
+}
+
+}  // namespace lrcs
