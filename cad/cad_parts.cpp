@@ -18,9 +18,9 @@
 #include <XCAFDoc_MaterialTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
-#include <map>
 
 #include "base/input_error.h"
+#include "cad/part_names.h"
 #include "cad/sewn_faces.h"
 
 namespace lrcs {
@@ -45,18 +45,6 @@ CadLook either(CadLook more, const CadLook& rest) {
   if (more.layer.empty()) more.layer = rest.layer;
   if (more.material.empty()) more.material = rest.material;
   return more;
-}
-
-// Of siblings of one name each gets a number; what has no name, another.
-std::vector<std::string> distinct(std::vector<std::string> names, const std::string& otherwise) {
-  std::map<std::string, int> count, used;
-  for (std::string& name : names) {
-    if (name.empty()) name = otherwise;
-    ++count[name];
-  }
-  for (std::string& name : names)
-    if (count[name] > 1) name = fmt::format("{}:{}", name, ++used[name]);
-  return names;
 }
 
 struct Placed {
@@ -114,7 +102,7 @@ class Walk {
       const std::string of_product = name_of(product_of(label));
       names.push_back(of_product.empty() ? name_of(label) : of_product);
     }
-    names = distinct(names, "part");
+    names = numbered(names, "part");
     const std::size_t first = waiting_.size();
     std::size_t k = 0;
     for (const TDF_Label& label : siblings.labels) {
@@ -172,7 +160,7 @@ class Walk {
       bodies.push_back(solid.Current());
       names.push_back(known.name(solid.Current()));
     }
-    names = distinct(names, "solid");
+    names = numbered(names, "solid");
     const bool has_surfaces = TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID).More();
     const bool is_one = bodies.size() == 1 && !has_surfaces;
     for (std::size_t k = 0; k < bodies.size(); ++k) {

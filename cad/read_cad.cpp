@@ -129,11 +129,11 @@ double metres_per_unit_of(const CadDocument& document, const std::string& unit) 
   return document.unit.empty() ? metres_in(unit) : metres_in(unit) / document.unit_mm;
 }
 
-CadMesh read(const std::filesystem::path& file, FileFormat format, const std::string& unit,
-             const Tessellation& wanted) {
+ImportedMesh read(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+                  const Tessellation& wanted) {
   const CadDocument document = read_cad_document(file, format);
   const double metres_per_unit = metres_per_unit_of(document, unit);
-  CadMesh cad;
+  ImportedMesh cad;
   cad.unit = unit.empty() ? document.unit : unit;
   Builder builder;
   TopTools_MapOfShape known;
@@ -152,8 +152,8 @@ CadMesh read(const std::filesystem::path& file, FileFormat format, const std::st
 
 }  // namespace
 
-CadMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
-                 const Tessellation& tessellation) {
+ImportedMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+                      const Tessellation& tessellation) {
   try {
     return read(file, format, unit, tessellation);
   } catch (const Standard_Failure& failure) {

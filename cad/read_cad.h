@@ -1,22 +1,15 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <vector>
 
+#include "cad/imported_mesh.h"
 #include "cad/tessellation.h"
-#include "mesh/facet_mesh.h"
 #include "mesh/file_format.h"
 
 namespace lrcs {
 
-// What a CAD file holds, as facets.
-struct CadMesh {
-  FacetMesh mesh;    // lengths as Open CASCADE has them: millimetres, or what the file has where it says no unit (BREP)
-  std::string unit;  // the user's, else the file's: "mm", "inch", ...; "" where no one says any
-  std::vector<std::string> warnings;
-};
-
-// Reads STEP (AP203, AP214, AP242), IGES or BREP through Open CASCADE.
+// Reads STEP (AP203, AP214, AP242), IGES or BREP through Open CASCADE. Lengths of the mesh are millimetres, or what the
+// file has where it says no unit (BREP).
 // Parts: each solid that is placed somewhere is one, by its path through the assembly: "as1/l-bracket-assembly:2/bolt";
 //   of siblings of one name each is numbered in file order, ":1", ":2". Surfaces outside solids are parts of their own.
 // Colours, layers and materials of a face: its own, else its solid's, else those of the placed instance, of the
@@ -27,7 +20,7 @@ struct CadMesh {
 //   made facets are warned of. Whatever else a damaged file does (a signal, no end) is the caller's to contain.
 // check: tests/cad/read_cad_test.cpp.
 // unit: what the file's numbers are to be taken for, whatever it says; "": what it says.
-[[nodiscard]] CadMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
-                               const Tessellation& tessellation);
+[[nodiscard]] ImportedMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+                                    const Tessellation& tessellation);
 
 }  // namespace lrcs

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/length.h"
 #include "cad/contained.h"
-#include "cad/mesh_bytes.h"
-#include "cad/occt_module.h"
+#include "cad/imported_mesh.h"
+#include "cad/reader_module.h"
 #include "mesh/file_format.h"
 #include "mesh/read_mesh.h"
 
@@ -34,24 +35,20 @@ std::string said(const Tessellation& wanted) {
 
 TargetRead read_contained(const std::filesystem::path& file, FileFormat format, const std::string& unit,
                           const Tessellation& wanted) {
+  const bool surfaces = holds_surfaces(format);
   const std::string bytes = contained(file.string(), limits_for(file, wanted), [&] {
     std::string result;
-    load_occt_module()({file.string(), format, unit, wanted}, result);
+    load_reader(surfaces ? "occt" : "assimp")({file.string(), format, unit, wanted}, result);
     return result;
   });
-  std::string_view rest = bytes;
-  TargetRead target;
-  target.mesh = mesh_of_bytes(rest);
-  target.unit = take_words(rest).at(0);
-  target.warnings = take_words(rest);
-  target.tessellation = said(wanted);
-  return target;
+  ImportedMesh imported = imported_of(bytes);
+  return {std::move(imported.mesh), imported.unit, surfaces ? said(wanted) : "", std::move(imported.warnings)};
 }
 
 }  // namespace
 
 TargetRead read_target(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
-  if (const auto format = cad_format_of(file)) return read_contained(file, *format, unit, tessellation);
+  if (const auto format = foreign_format_of(file)) return read_contained(file, *format, unit, tessellation);
   TargetRead target;
   target.mesh = read_mesh(file);
   target.unit = unit;

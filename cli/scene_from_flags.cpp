@@ -103,8 +103,6 @@ void require_the_needed(const std::string& target, const SceneFlags& flags) {
   if (flags.material.empty())
     throw InputError("--material is missing: expected lambert:REFLECTANCE, a library name or a file");
   if (flags.azimuth.empty()) throw InputError("--azimuth is missing: expected A, A,B,C or FROM:TO:STEP in deg");
-  if (flags.forward.back() == flags.up.back())
-    throw InputError(fmt::format("--up: expected another axis than --forward {}, found {}", flags.forward, flags.up));
 }
 
 }  // namespace
@@ -127,8 +125,8 @@ void SceneFlags::add_to(CLI::App& verb) {
       "How far facets may lie off CAD surfaces: of a part's size (default 1e-3), or a length");
   add("--chord-angle", chord_angle, "Largest turn from facet to facet of CAD surfaces [deg] (default 8)");
   add("--wavelength", wavelength, "With its unit: \"1.06 um\"");
-  add("--forward", forward, "File axis that is the nose (default +x)")->check(axis);
-  add("--up", up, "File axis that is up (default +z)")->check(axis);
+  add("--forward", forward, "File axis that is the nose (default +x; glTF: +z)")->check(axis);
+  add("--up", up, "File axis that is up (default +z; glTF: +y)")->check(axis);
   add("--sides", sides, "Sides that reflect (default both)")->check(one_of({"both", "front"}));
   add("--repair", repair, "Repair the mesh (default auto)")->check(one_of({"auto", "none"}));
   add("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL... [deg]");
@@ -158,8 +156,12 @@ Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
   if (!flags.chord_angle.empty())
     set_chord_angle(scene.target.tessellation, number_from_words(flags.chord_angle, "--chord-angle"),
                     Place{"--chord-angle"});
-  scene.target.forward = flags.forward;
-  scene.target.up = flags.up;
+  const FileAxes axes = axes_of(target);
+  scene.target.forward = flags.forward.empty() ? axes.forward : flags.forward;
+  scene.target.up = flags.up.empty() ? axes.up : flags.up;
+  if (scene.target.forward.back() == scene.target.up.back())
+    throw InputError(
+        fmt::format("--up: expected another axis than --forward {}, found {}", scene.target.forward, scene.target.up));
   scene.target.repair = flags.repair == "auto";
   scene.target.sides = flags.sides == "front" ? Sides::front : Sides::both;
   scene.wavelength = wavelength_from(flags);

@@ -33,6 +33,9 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
     set_chord_tolerance(target.tessellation, node.at("chord_tolerance").text(), node.at("chord_tolerance").place());
   if (node.has("chord_angle"))
     set_chord_angle(target.tessellation, node.at("chord_angle").number(), node.at("chord_angle").place());
+  const FileAxes axes = axes_of(target.file);
+  target.forward = axes.forward;
+  target.up = axes.up;
   if (node.has("forward"))
     target.forward = node.at("forward").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});
   if (node.has("up")) target.up = node.at("up").one_of({"+x", "-x", "+y", "-y", "+z", "-z", "x", "y", "z"});

@@ -27,7 +27,7 @@ struct TargetFile {
   Place place;                            // of the file name, for messages
   std::string unit;                       // "": the file's own
   Tessellation tessellation;              // of CAD surfaces
-  std::string forward = "+x", up = "+z";  // axes of the file
+  std::string forward = "+x", up = "+z";  // axes of the file: the user's, else the format's
   bool repair = true;
   Sides sides = Sides::both;
 };

@@ -46,6 +46,21 @@ std::vector<std::string> names_by_part(const FacetMesh& mesh, const FacetNames& 
   return joined;
 }
 
+std::vector<NamedFacets> facets_by(const FacetMesh& mesh, const FacetNames& told) {
+  std::vector<NamedFacets> sums(told.names.size());
+  std::vector<CompensatedSum> areas(told.names.size());
+  for (std::size_t k = 0; k < told.of.size(); ++k) {
+    ++sums[told.of[k]].facets;
+    areas[told.of[k]].add(area_of(mesh, k));
+  }
+  for (std::size_t n = 0; n < sums.size(); ++n) {
+    sums[n].name = told.names[n];
+    sums[n].area = areas[n].value();
+  }
+  std::erase_if(sums, [](const NamedFacets& named) { return named.name.empty() || named.facets == 0; });
+  return sums;
+}
+
 void measure_parts(const FacetMesh& mesh, Diagnosis& d) {
   const std::size_t count = mesh.part.names.size();
   std::vector<CompensatedSum> areas(count);
@@ -114,6 +129,8 @@ Diagnosis diagnose(const FacetMesh& mesh) {
   d.facets = mesh.size();
   count_vertices(mesh, d);
   measure_parts(mesh, d);
+  d.colours = facets_by(mesh, mesh.colour);
+  d.file_materials = facets_by(mesh, mesh.file_material);
   FacetMesh repaired = mesh;
   const RepairCounts counts = repair_connectivity(repaired);
   d.degenerate = counts.degenerate;

@@ -20,6 +20,13 @@ struct PartDiagnosis {
   std::string file_material, colour, layer;
 };
 
+// What facets of one colour or material of the file are together.
+struct NamedFacets {
+  std::string name;
+  std::size_t facets = 0;
+  double area = 0.0;
+};
+
 // What was read, before any repair: the numbers of `lrcs info`.
 // Vertices of equal position are one vertex throughout. Edges, closedness and volume are those of the mesh without
 // facets that have two equal corners or repeat an earlier facet; facets whose three corners are collinear count there,
@@ -39,6 +46,7 @@ struct Diagnosis {
   std::size_t flipped = 0;               // facets of closed shells whose winding points inward
   SelfIntersections self_intersections;  // pairs of facets
   std::vector<PartDiagnosis> parts;      // in file order
+  std::vector<NamedFacets> colours, file_materials;  // with a name, in file order
 };
 
 // check: made bodies with known counts, and a half-edge mesh as a second route (tests/mesh/diagnosis_test.cpp).

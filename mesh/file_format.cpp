@@ -11,13 +11,14 @@
 #include <string>
 #include <utility>
 
+#include "base/digest.h"
 #include "base/input_error.h"
 #include "base/text_scanner.h"
 
 namespace lrcs {
 namespace {
 
-constexpr std::string_view readable = "expected STEP, IGES, BREP, STL, OBJ, PLY or OFF";
+constexpr std::string_view readable = "expected STEP, IGES, BREP, glTF, 3MF, STL, OBJ, PLY or OFF";
 
 struct Signature {
   std::string_view begin;
@@ -25,8 +26,6 @@ struct Signature {
 };
 
 constexpr std::array unread_formats{
-    Signature{"glTF", "a binary glTF file (GLB)"},
-    Signature{"PK\x03\x04", "a ZIP archive (such as 3MF)"},
     Signature{"BZh", "compressed (bzip2)"},
     Signature{"\xfd"
               "7zXZ",
@@ -46,10 +45,15 @@ bool is_iges(std::string_view content) {
          content.substr(73, 7).find_first_not_of(" 0123456789") == std::string_view::npos;
 }
 
-std::optional<FileFormat> cad_format(std::string_view content) {
+constexpr std::string_view zip = "PK\x03\x04";
+
+std::optional<FileFormat> foreign_format(std::string_view content) {
   if (is_iges(content)) return FileFormat::iges;
   while (!content.empty() && std::isspace(static_cast<unsigned char>(content.front())) != 0) content.remove_prefix(1);
   if (content.starts_with("ISO-10303-21")) return FileFormat::step;
+  if (content.starts_with("glTF")) return FileFormat::gltf;
+  if (content.starts_with("{") && content.find("\"asset\"") != std::string_view::npos) return FileFormat::gltf;
+  if (content.starts_with(zip) && content.find("3D/") != std::string_view::npos) return FileFormat::three_mf;
   if (content.starts_with("DBRep_DrawableShape") || content.starts_with("CASCADE Topology")) return FileFormat::brep;
   return std::nullopt;
 }
@@ -61,7 +65,6 @@ void refuse_unread(std::string_view content, const std::string& file) {
   for (const Signature& format : unread_formats) {
     if (content.starts_with(format.begin)) refuse(format.name);
   }
-  if (content.starts_with("{") && content.find("\"asset\"") != std::string_view::npos) refuse("a glTF file");
   if (content.starts_with("\xfe\xff") || content.starts_with("\xff\xfe"))
     throw InputError(Place{file}, "is UTF-16 text, expected UTF-8 or ASCII");
 }
@@ -115,24 +118,36 @@ std::uint32_t binary_stl_count(std::string_view content) {
   return count;
 }
 
-std::optional<FileFormat> cad_format_of(const std::filesystem::path& file) {
+std::optional<FileFormat> foreign_format_of(const std::filesystem::path& file) {
   std::array<char, 256> head{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), head.size());
-  std::string_view content(head.data(), static_cast<std::size_t>(stream.gcount()));
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
-  return cad_format(content);
+  std::string content(head.data(), static_cast<std::size_t>(stream.gcount()));
+  // What tells these two may stand anywhere.
+  if (content.starts_with("{") || content.starts_with(zip)) content = content_of_file(file);
+  std::string_view rest = content;
+  if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
+  return foreign_format(rest);
+}
+
+bool holds_surfaces(FileFormat format) {
+  return format == FileFormat::step || format == FileFormat::iges || format == FileFormat::brep;
 }
 
 bool has_unit(const std::filesystem::path& file) {
-  const auto format = cad_format_of(file);
-  return format == FileFormat::step || format == FileFormat::iges;
+  const auto format = foreign_format_of(file);
+  return format && *format != FileFormat::brep;
+}
+
+FileAxes axes_of(const std::filesystem::path& file) {
+  return foreign_format_of(file) == FileFormat::gltf ? FileAxes{"+z", "+y"} : FileAxes{};
 }
 
 FileFormat file_format_of(std::string_view content, const std::filesystem::path& file) {
   if (content.empty()) throw InputError(Place{file.string()}, fmt::format("is empty, {}", readable));
   if (is_binary_stl(content)) return FileFormat::stl_binary;
-  if (cad_format(content)) throw InputError(Place{file.string()}, "holds CAD surfaces, expected facets");
+  if (foreign_format(content))
+    throw InputError(Place{file.string()}, "is STEP, IGES, BREP, glTF or 3MF, expected STL, OBJ, PLY or OFF here");
   refuse_unread(content, file.string());
   // A PLY header is text, its data need not be; a "solid" with zero bytes in it is a broken binary STL.
   const bool text = is_text(content);

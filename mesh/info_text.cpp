@@ -61,6 +61,7 @@ struct TreeLine {
 
 // Parts in file order, each path through an assembly once.
 std::vector<TreeLine> tree_of(const std::vector<PartDiagnosis>& parts) {
+  constexpr std::size_t is_part = ~std::size_t{0};  // what holds others and is a part itself has its own sums
   std::vector<TreeLine> lines;
   std::map<std::string, std::size_t> known;
   for (const PartDiagnosis& part : parts) {
@@ -68,11 +69,14 @@ std::vector<TreeLine> tree_of(const std::vector<PartDiagnosis>& parts) {
     for (std::size_t slash = part.name.find('/'); slash != std::string::npos; slash = part.name.find('/', begin)) {
       const auto [line, is_new] = known.try_emplace(part.name.substr(0, slash), lines.size());
       if (is_new) lines.push_back({std::string(2 * depth, ' ') + part.name.substr(begin, slash - begin)});
-      lines[line->second].facets += part.facets;
-      lines[line->second].area += part.area;
+      if (line->second != is_part) {
+        lines[line->second].facets += part.facets;
+        lines[line->second].area += part.area;
+      }
       begin = slash + 1;
       ++depth;
     }
+    known.try_emplace(part.name, is_part);
     lines.push_back({std::string(2 * depth, ' ') + shown_name(part.name.substr(begin)), part.facets, part.area, &part});
   }
   return lines;
@@ -136,30 +140,44 @@ std::string pattern_of(const std::string& name, bool is_path) {
   return pattern;
 }
 
-// A rule for each name that some part has by itself, in the order of the parts; none where they do not tell all apart.
-std::string rules_by(const Diagnosis& d, const char* key, std::string PartDiagnosis::*name) {
-  const bool is_path = name == &PartDiagnosis::name;  // others may be several, joined by commas
+std::string rule(const char* key, const std::string& pattern, const std::string& comment) {
+  return fmt::format("  - {{{}: {}, material: MATERIAL}}  # {}\n", key, quoted(pattern), comment);
+}
+
+std::string rules_by(const char* key, const std::vector<NamedFacets>& names) {
   std::string rules;
+  for (const NamedFacets& n : names)
+    rules += rule(key, pattern_of(n.name, false), fmt::format("{} facets, area {:.4g}", n.facets, n.area));
+  return rules;
+}
+
+// Instances of one name share a rule.
+std::string rules_by_part(const std::vector<PartDiagnosis>& parts) {
+  std::vector<std::string> patterns;
   std::map<std::string, std::pair<std::size_t, double>> sums;
-  std::vector<std::string> order;
-  for (const PartDiagnosis& part : d.parts) {
-    if ((part.*name).empty() || (!is_path && (part.*name).find(", ") != std::string::npos)) continue;
-    const std::string pattern = pattern_of(part.*name, is_path);
+  for (const PartDiagnosis& part : parts) {
+    if (part.name.empty()) continue;
+    const std::string pattern = pattern_of(part.name, true);
     auto& [count, area] = sums[pattern];
-    if (count++ == 0) order.push_back(pattern);
+    if (count++ == 0) patterns.push_back(pattern);
     area += part.area;
   }
-  if (order.size() < 2 && !is_path) return "";
-  for (const std::string& pattern : order)
-    rules += fmt::format("  - {{{}: {}, material: MATERIAL}}  # {} part{}, area {:.4g}\n", key, quoted(pattern),
-                         sums[pattern].first, sums[pattern].first == 1 ? "" : "s", sums[pattern].second);
+  std::string rules;
+  for (const std::string& pattern : patterns) {
+    const auto& [count, area] = sums[pattern];
+    rules += rule("part", pattern, fmt::format("{} part{}, area {:.4g}", count, count == 1 ? "" : "s", area));
+  }
   return rules;
 }
 
 std::string assign_block(const Diagnosis& d) {
-  std::string rules = rules_by(d, "colour", &PartDiagnosis::colour);
-  if (rules.empty()) rules = rules_by(d, "file_material", &PartDiagnosis::file_material);
-  if (rules.empty() && d.parts.size() > 1) rules = rules_by(d, "part", &PartDiagnosis::name);
+  std::string rules;
+  if (d.file_materials.size() > 1 && d.file_materials.size() >= d.colours.size())
+    rules = rules_by("file_material", d.file_materials);
+  else if (d.colours.size() > 1)
+    rules = rules_by("colour", d.colours);
+  else if (d.parts.size() > 1)
+    rules = rules_by_part(d.parts);
   return rules.empty() ? "" : "\nassign:  # for a scene file\n" + rules + "  - {default: MATERIAL}\n";
 }
 

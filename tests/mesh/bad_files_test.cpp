@@ -10,7 +10,7 @@
 namespace lrcs {
 namespace {
 
-constexpr const char* expected = "expected STEP, IGES, BREP, STL, OBJ, PLY or OFF";
+constexpr const char* expected = "expected STEP, IGES, BREP, glTF, 3MF, STL, OBJ, PLY or OFF";
 
 std::string stl(const std::string& loop) {
   return "solid a\nfacet normal 0 0 1\nouter loop\n" + loop + "endloop\nendfacet\nendsolid\n";
@@ -48,12 +48,13 @@ TEST(BadFile, IsUtf16) {
 
 TEST(BadFile, IsOfAFormatThatIsNotRead) {
   const std::string tail = std::string(", which is not read yet; ") + expected;
-  EXPECT_EQ(complaint_about("a.glb", std::string("glTF\2\0\0\0", 8)), "a.glb: is a binary glTF file (GLB)" + tail);
-  EXPECT_EQ(complaint_about("a.gltf", "{\"asset\": {}}"), "a.gltf: is a glTF file" + tail);
+  EXPECT_EQ(complaint_about("a.vtp", "<VTKFile"), "a.vtp: is a VTK XML file" + tail);
 }
 
-TEST(BadFile, HoldsSurfaces) {
-  const std::string message = ": holds CAD surfaces, expected facets";
+TEST(BadFile, IsOfAFormatThatReadTargetReads) {
+  const std::string message = ": is STEP, IGES, BREP, glTF or 3MF, expected STL, OBJ, PLY or OFF here";
+  EXPECT_EQ(complaint_about("a.glb", std::string("glTF\2\0\0\0", 8)), "a.glb" + message);
+  EXPECT_EQ(complaint_about("a.gltf", " {\"asset\": {}}"), "a.gltf" + message);
   EXPECT_EQ(complaint_about("a.stp", "ISO-10303-21;\nHEADER;\n"), "a.stp" + message);
   EXPECT_EQ(complaint_about("a.brep", "\nCASCADE Topology V1\n"), "a.brep" + message);
   EXPECT_EQ(complaint_about("a.igs", std::string(72, ' ') + "S      1\n"), "a.igs" + message);

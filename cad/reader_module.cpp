@@ -1,4 +1,4 @@
-#include "cad/occt_module.h"
+#include "cad/reader_module.h"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -17,9 +17,9 @@ std::filesystem::path folder_of_program() {
 
 }  // namespace
 
-ReadCadFunction* load_occt_module() {
+ReadFunction* load_reader(const std::string& reader) {
   const std::filesystem::path here = folder_of_program();
-  const std::string name = "liblrcs-occt.so";
+  const std::string name = fmt::format("liblrcs-{}.so", reader);
   const std::vector<std::filesystem::path> places{here / name, here.parent_path() / LRCS_LIBRARY_FOLDER / "lrcs" / name,
                                                   std::filesystem::path(LRCS_INSTALLED_LIBRARIES) / "lrcs" / name,
                                                   name};
@@ -28,10 +28,10 @@ ReadCadFunction* load_occt_module() {
     std::error_code none;
     if (place.has_parent_path() && !std::filesystem::exists(place, none)) continue;
     if (void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL))
-      if (void* function = dlsym(library, "lrcs_read_cad")) return reinterpret_cast<ReadCadFunction*>(function);
+      if (void* function = dlsym(library, "lrcs_read")) return reinterpret_cast<ReadFunction*>(function);
     complaints = dlerror();
   }
-  throw std::runtime_error(fmt::format("the reader of CAD files cannot be loaded: {}", complaints));
+  throw std::runtime_error(fmt::format("the reader of such files cannot be loaded: {}", complaints));
 }
 
 }  // namespace lrcs

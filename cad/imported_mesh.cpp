@@ -1,4 +1,4 @@
-#include "cad/mesh_bytes.h"
+#include "cad/imported_mesh.h"
 
 #include <cstring>
 #include <stdexcept>
@@ -40,8 +40,6 @@ void take(std::string_view& bytes, std::vector<T>& values) {
     std::memcpy(static_cast<void*>(values.data()), take(bytes, count * sizeof(T)).data(), count * sizeof(T));
 }
 
-}  // namespace
-
 void append_words(std::string& bytes, const std::vector<std::string>& words) {
   append_count(bytes, words.size());
   for (const std::string& word : words) {
@@ -56,7 +54,10 @@ std::vector<std::string> take_words(std::string_view& bytes) {
   return words;
 }
 
-std::string bytes_of_mesh(const FacetMesh& mesh) {
+}  // namespace
+
+std::string bytes_of(const ImportedMesh& imported) {
+  const FacetMesh& mesh = imported.mesh;
   std::string bytes;
   append(bytes, mesh.positions);
   append(bytes, mesh.facets);
@@ -66,11 +67,14 @@ std::string bytes_of_mesh(const FacetMesh& mesh) {
     append_words(bytes, told->names);
   }
   append(bytes, std::vector{mesh.metres_per_unit});
+  append_words(bytes, {imported.unit});
+  append_words(bytes, imported.warnings);
   return bytes;
 }
 
-FacetMesh mesh_of_bytes(std::string_view& bytes) {
-  FacetMesh mesh;
+ImportedMesh imported_of(std::string_view bytes) {
+  ImportedMesh imported;
+  FacetMesh& mesh = imported.mesh;
   take(bytes, mesh.positions);
   take(bytes, mesh.facets);
   take(bytes, mesh.source_facet);
@@ -81,8 +85,10 @@ FacetMesh mesh_of_bytes(std::string_view& bytes) {
   std::vector<double> unit;
   take(bytes, unit);
   mesh.metres_per_unit = unit.at(0);
+  imported.unit = take_words(bytes).at(0);
+  imported.warnings = take_words(bytes);
   measure_facets(mesh);
-  return mesh;
+  return imported;
 }
 
 }  // namespace lrcs
