@@ -6,6 +6,8 @@
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -15,9 +17,12 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "base/input_error.h"
@@ -40,6 +45,7 @@ void set_unit(CadDocument& read, std::string_view word) {
   std::string small(word);
   std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return std::tolower(c); });
   read.unit = "mm";
+  read.unit_mm = 0.0;
   for (const UnitName& u : unit_names)
     if (small == u.word) {
       read.unit = u.name;
@@ -53,6 +59,32 @@ void set_unit(CadDocument& read, double mm) {
   read.unit_mm = mm;
   for (const UnitName& u : unit_names)
     if (std::abs(mm - u.mm) <= 1e-9 * u.mm) read.unit = u.name;
+}
+
+void warn(CadDocument& read, const std::string& warning) {
+  constexpr std::size_t most = 20;
+  if (read.warnings.size() < most) read.warnings.push_back(warning);
+}
+
+// What could not be read, which is missing then: as many lines as there are kinds of complaints.
+void warn_of_failures(CadDocument& read, const Interface_CheckIterator& checks) {
+  std::map<std::string, int> counts;
+  Interface_CheckIterator check = checks;
+  for (check.Start(); check.More(); check.Next())
+    for (int k = 1; k <= check.Value()->NbFails(); ++k) {
+      std::string words = check.Value()->CFail(k);
+      for (char& c : words)
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+      ++counts[words];
+    }
+  for (const auto& [words, count] : counts)
+    warn(read, fmt::format("{} entit{} could not be read, what hangs on {} is missing: {}", count,
+                           count == 1 ? "y" : "ies", count == 1 ? "it" : "them", words));
+}
+
+void warn_of_failures(CadDocument& read, const Handle(XSControl_WorkSession) & session) {
+  warn_of_failures(read, session->ModelCheckList());
+  warn_of_failures(read, session->TransferReader()->LastCheckList());
 }
 
 template <class Reader>
@@ -70,11 +102,15 @@ void read_step(const std::string& file, CadDocument& read) {
   STEPCAFControl_Reader reader;
   set_modes(reader);
   reader.SetMatMode(true);
+  reader.SetSHUOMode(true);
   require(reader.ReadFile(file.c_str()) == IFSelect_RetDone, file, "is not read as a STEP file: damaged?");
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) set_unit(read, lengths.First().ToCString());
+  for (const TCollection_AsciiString& other : lengths)
+    if (!other.IsEqual(lengths.First())) read.unit_mm = 0.0;
   require(reader.Transfer(read.document), file, "holds no surface that is read, expected at least one");
+  warn_of_failures(read, reader.Reader().WS());
 }
 
 void read_iges(const std::string& file, CadDocument& read) {
@@ -84,6 +120,7 @@ void read_iges(const std::string& file, CadDocument& read) {
   const Handle(IGESData_IGESModel) model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
   if (!model.IsNull()) set_unit(read, model->GlobalSection().UnitValue());
   require(reader.Transfer(read.document), file, "holds no surface that is read, expected at least one");
+  warn_of_failures(read, reader.WS());
 }
 
 void read_brep(const std::string& file, CadDocument& read) {

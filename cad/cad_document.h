@@ -3,6 +3,7 @@
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mesh/file_format.h"
 
@@ -11,8 +12,9 @@ namespace lrcs {
 // A CAD file as Open CASCADE holds it: products, instances, names, colours (XCAF). Lengths in millimetres.
 struct CadDocument {
   Handle(TDocStd_Document) document;
-  std::string unit;      // of the file; "mm" also where it says one that has no name here; "" where it says none
-  double unit_mm = 1.0;  // [mm] of the file's unit
+  std::string unit;  // of the file; "mm", to which lengths were brought, where it has no name here; "" if none is said
+  double unit_mm = 1.0;  // [mm] of the file's unit; 0 where that is not known, or there are several
+  std::vector<std::string> warnings;
 };
 
 // error: InputError where the file is not read.

@@ -79,6 +79,7 @@ class Walk {
         add_parts(next);
       }
     }
+    number_equal_paths();
     return std::move(parts_);
   }
 
@@ -89,6 +90,15 @@ class Walk {
     std::string path;
     CadLook look;
   };
+
+  // A name of the file may be what a numbered one became.
+  void number_equal_paths() {
+    std::vector<std::string> paths;
+    paths.reserve(parts_.size());
+    for (const CadPart& part : parts_) paths.push_back(part.path);
+    paths = numbered(std::move(paths), "");
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].path = paths[k];
+  }
 
   [[nodiscard]] TDF_Label product_of(const TDF_Label& instance) const {
     TDF_Label product = instance;
@@ -149,11 +159,21 @@ class Walk {
     return text;
   }
 
+  // Of this occurrence alone, where the assembly that it is in is placed several times.
+  [[nodiscard]] CadLook look_of_occurrence(const TopoDS_Shape& shape) const {
+    CadLook look;
+    Quantity_Color colour;
+    for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen})
+      if (look.colour.empty() && colours_->GetInstanceColor(shape, type, colour)) look.colour = hexadecimal(colour);
+    return look;
+  }
+
   // A product's solids, and what lies outside them.
   void add_parts(const Placed& placed) {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(placed.product);
     if (shape.IsNull()) return;
-    Subshapes known(*this, placed.product);
+    const Subshapes known(*this, placed.product);
+    const CadLook whole = either(look_of_occurrence(shape.Moved(placed.location, false)), placed.look);
     std::vector<TopoDS_Shape> bodies;
     std::vector<std::string> names;
     for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
@@ -164,8 +184,8 @@ class Walk {
     const bool has_surfaces = TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID).More();
     const bool is_one = bodies.size() == 1 && !has_surfaces;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-      begin_part(is_one ? placed.path : placed.path + "/" + names[k], shape);
-      const CadLook look = either(known.look(bodies[k]), placed.look);
+      begin_part(is_one ? placed.path : placed.path + "/" + names[k], bodies[k]);
+      const CadLook look = either(known.look(bodies[k]), whole);
       for (TopExp_Explorer face(bodies[k], TopAbs_FACE); face.More(); face.Next())
         add_face(face.Current(), placed, either(known.look(face.Current()), look));
     }
@@ -174,7 +194,7 @@ class Walk {
     begin_part(bodies.empty() ? placed.path : placed.path + "/surfaces", sewn.shape);
     for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SOLID); face.More(); face.Next())
       if (const TopoDS_Shape* became = sewn.face_of.Seek(face.Current()))
-        add_face(*became, placed, either(known.look(face.Current()), placed.look));
+        add_face(*became, placed, either(known.look(face.Current()), whole));
   }
 
   // What a product has outside solids, the same for all its instances.
@@ -192,7 +212,7 @@ class Walk {
   }
 
   void add_face(const TopoDS_Shape& face, const Placed& placed, const CadLook& look) {
-    parts_.back().faces.push_back({TopoDS::Face(face.Moved(placed.location)), look});
+    parts_.back().faces.push_back({TopoDS::Face(face.Moved(placed.location, false)), look});
   }
 
   // The labels of a product's own solids and faces.

@@ -22,7 +22,7 @@ struct CadFace {
 // A solid that is placed somewhere, or the surfaces outside solids of one product there.
 struct CadPart {
   std::string path;
-  TopoDS_Shape product;  // the same for all instances, not placed: its tessellation serves them all
+  TopoDS_Shape body;  // the same for all instances, not placed: its tessellation serves them all
   std::vector<CadFace> faces;
 };
 

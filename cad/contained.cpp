@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,7 +22,7 @@
 namespace lrcs {
 namespace {
 
-enum Outcome : char { bytes_follow = 'b', wrong_input = 'i', failed = 'f', out_of_memory = 'm' };
+enum Outcome : char { bytes_follow = 'b', wrong_input = 'i', failed = 'f', out_of_memory = 'm', not_ready = 'n' };
 
 // A file without a name that both processes have open.
 class SharedFile {
@@ -74,20 +75,26 @@ std::size_t address_space() {
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
+constexpr double waiting = 10.0;  // longest time over processor time
+
 void confine(const ReaderLimits& limits) {
+  // A reader that only waits takes no processor time.
+  alarm(static_cast<unsigned>(std::ceil(waiting * limits.processor_s)));
   limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_s)));
 #if !defined(__SANITIZE_ADDRESS__)  // its shadow takes terabytes of address space
   limit(RLIMIT_AS, address_space() + limits.memory);
 #endif
   limit(RLIMIT_CORE, 0);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM}) std::signal(signal, SIG_DFL);
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere >= 0)
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
 }
 
-[[noreturn]] void run_in_child(const SharedFile& result, const ReaderLimits& limits,
+[[noreturn]] void run_in_child(const SharedFile& result, const ReaderLimits& limits, pid_t parent,
                                const std::function<std::string()>& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
   confine(limits);
   const auto finish = [&](Outcome outcome, std::string_view bytes) {
     const char first = outcome;
@@ -97,6 +104,8 @@ void confine(const ReaderLimits& limits) {
     finish(bytes_follow, work());
   } catch (const InputError& wrong) {
     finish(wrong_input, wrong.what());
+  } catch (const ReaderNotLoaded& missing) {
+    finish(not_ready, missing.what());
   } catch (const std::bad_alloc&) {
     finish(out_of_memory, "");
   } catch (const std::exception& other) {
@@ -109,6 +118,9 @@ void confine(const ReaderLimits& limits) {
 
 [[noreturn]] void complain_of_death(const std::string& file, const ReaderLimits& limits, int status) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGALRM)
+    throw InputError(Place{file}, fmt::format("its reader was not done after {:.0f} s: does it wait for something?",
+                                              std::ceil(waiting * limits.processor_s)));
   if (signal == SIGXCPU)
     throw InputError(Place{file}, fmt::format("its reader was not done after {:.0f} s of processor time: damaged?",
                                               std::ceil(limits.processor_s)));
@@ -120,9 +132,10 @@ void confine(const ReaderLimits& limits) {
 
 std::string contained(const std::string& file, const ReaderLimits& limits, const std::function<std::string()>& work) {
   const SharedFile result;
+  const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error(fmt::format("no process for a reader: {}", std::strerror(errno)));
-  if (child == 0) run_in_child(result, limits, work);
+  if (child == 0) run_in_child(result, limits, parent, work);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
   std::string bytes = result.content();
@@ -131,6 +144,7 @@ std::string contained(const std::string& file, const ReaderLimits& limits, const
   bytes.erase(0, 1);
   if (outcome == bytes_follow) return bytes;
   if (outcome == wrong_input) throw InputError(bytes);
+  if (outcome == not_ready) throw ReaderNotLoaded(bytes);
   if (outcome == out_of_memory)
     throw InputError(Place{file},
                      fmt::format("its reader wanted more than {} MB of memory: damaged?", limits.memory >> 20U));

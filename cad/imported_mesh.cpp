@@ -54,6 +54,25 @@ std::vector<std::string> take_words(std::string_view& bytes) {
   return words;
 }
 
+// Of a reader that a damaged file misled but did not kill.
+void check(const FacetMesh& mesh) {
+  const auto require = [](bool good) {
+    if (!good) throw std::runtime_error("a mesh that contradicts itself");
+  };
+  for (const auto& facet : mesh.facets)
+    for (const std::uint32_t corner : facet) require(corner < mesh.positions.size());
+  const auto require_names = [&](const FacetNames& told, bool may_be_empty) {
+    require(told.of.size() == mesh.size() || (may_be_empty && told.of.empty()));
+    for (const std::uint32_t name : told.of) require(name < told.names.size());
+  };
+  require(mesh.source_facet.size() == mesh.size());
+  require_names(mesh.part, false);
+  require_names(mesh.file_material, false);
+  require_names(mesh.colour, true);
+  require_names(mesh.layer, true);
+  for (const FacetProperty& property : mesh.properties) require_names(property.values, false);
+}
+
 }  // namespace
 
 std::string bytes_of(const ImportedMesh& imported) {
@@ -65,6 +84,12 @@ std::string bytes_of(const ImportedMesh& imported) {
   for (const FacetNames* told : {&mesh.part, &mesh.file_material, &mesh.colour, &mesh.layer}) {
     append(bytes, told->of);
     append_words(bytes, told->names);
+  }
+  append_count(bytes, mesh.properties.size());
+  for (const FacetProperty& property : mesh.properties) {
+    append_words(bytes, {property.name});
+    append(bytes, property.values.of);
+    append_words(bytes, property.values.names);
   }
   append(bytes, std::vector{mesh.metres_per_unit});
   append_words(bytes, {imported.unit});
@@ -82,11 +107,18 @@ ImportedMesh imported_of(std::string_view bytes) {
     take(bytes, told->of);
     told->names = take_words(bytes);
   }
+  for (std::size_t count = take_count(bytes); count > 0; --count) {
+    FacetProperty& property = mesh.properties.emplace_back();
+    property.name = take_words(bytes).at(0);
+    take(bytes, property.values.of);
+    property.values.names = take_words(bytes);
+  }
   std::vector<double> unit;
   take(bytes, unit);
   mesh.metres_per_unit = unit.at(0);
   imported.unit = take_words(bytes).at(0);
   imported.warnings = take_words(bytes);
+  check(mesh);
   measure_facets(mesh);
   return imported;
 }

@@ -28,7 +28,11 @@ namespace {
 using Facets = std::vector<std::array<std::uint32_t, 3>>;
 
 double chord_tolerance(const TopoDS_Shape& product, const Tessellation& wanted, double metres_per_unit) {
-  return wanted.absolute ? *wanted.absolute / metres_per_unit : wanted.relative * diagonal_of(product);
+  const double diagonal = diagonal_of(product);
+  if (!(diagonal > 0.0)) return 0.0;
+  // Below its own tolerance Open CASCADE refuses to work.
+  return std::max(wanted.absolute ? *wanted.absolute / metres_per_unit : wanted.relative * diagonal,
+                  Precision::Confusion());
 }
 
 void tessellate(const TopoDS_Shape& product, double chord, double angle_deg) {
@@ -124,27 +128,32 @@ class Builder {
 };
 
 // Metres in what Open CASCADE has for 1.
-double metres_per_unit_of(const CadDocument& document, const std::string& unit) {
+double metres_per_unit_of(const CadDocument& document, const std::string& unit, const std::string& file) {
   if (unit.empty()) return document.unit.empty() ? 1.0 : 1e-3;
+  if (!document.unit.empty() && document.unit_mm == 0.0)
+    throw InputError(Place{file}, fmt::format("its lengths are in several units, or in one that is not known here, and "
+                                              "cannot be taken for {}: expected no unit to be asked for",
+                                              unit));
   return document.unit.empty() ? metres_in(unit) : metres_in(unit) / document.unit_mm;
 }
 
 ImportedMesh read(const std::filesystem::path& file, FileFormat format, const std::string& unit,
                   const Tessellation& wanted) {
   const CadDocument document = read_cad_document(file, format);
-  const double metres_per_unit = metres_per_unit_of(document, unit);
+  const double metres_per_unit = metres_per_unit_of(document, unit, file.string());
   ImportedMesh cad;
   cad.unit = unit.empty() ? document.unit : unit;
   Builder builder;
   TopTools_MapOfShape known;
   for (const CadPart& part : cad_parts(document, file.string())) {
-    const double chord = chord_tolerance(part.product, wanted, metres_per_unit);
-    if (known.Add(part.product)) tessellate(part.product, chord, wanted.angle_deg);
+    const double chord = chord_tolerance(part.body, wanted, metres_per_unit);
+    if (known.Add(part.body)) tessellate(part.body, chord, wanted.angle_deg);
     builder.add(part, chord);
   }
   cad.mesh = builder.finish();
   cad.mesh.metres_per_unit = metres_per_unit;
-  cad.warnings = builder.warnings();
+  cad.warnings = document.warnings;
+  cad.warnings.insert(cad.warnings.end(), builder.warnings().begin(), builder.warnings().end());
   if (cad.mesh.size() == 0)
     throw InputError(Place{file.string()}, "holds no surface that can be made facets, expected at least one");
   return cad;

@@ -16,9 +16,10 @@ namespace lrcs {
 // product,
 //   and of what these are part of, in this order. Names are UTF-8.
 // Facets face outward as the faces say (REVERSED ones, mirrored placements); each instance is there.
-// error: InputError for a file that Open CASCADE does not read, and one without any surface. Surfaces that cannot be
-//   made facets are warned of. Whatever else a damaged file does (a signal, no end) is the caller's to contain.
-// check: tests/cad/read_cad_test.cpp.
+// error: InputError for a file that Open CASCADE does not read, and one without any surface. Entities that are not
+//   read and surfaces that cannot be made facets are warned of. Whatever else a damaged file does (a signal, no end) is
+//   the caller's to contain.
+// check: tests/cad/read_target_test.cpp, real_files_test.cpp.
 // unit: what the file's numbers are to be taken for, whatever it says; "": what it says.
 [[nodiscard]] ImportedMesh read_cad(const std::filesystem::path& file, FileFormat format, const std::string& unit,
                                     const Tessellation& tessellation);

@@ -11,8 +11,11 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cmath>
+#include <cstring>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "base/digest.h"
 #include "base/input_error.h"
 #include "base/length.h"
 #include "cad/part_names.h"
@@ -68,6 +71,19 @@ std::string colour_of(const aiMaterial& material, FileFormat format) {
     text += fmt::format("{:02x}", std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
   }
   return text;
+}
+
+// assimp gives what has no material one, and puts the number of a 3MF resource before names: "id5_Gold".
+std::string material_name(const aiMaterial& material, FileFormat format) {
+  aiString word;
+  material.Get(AI_MATKEY_NAME, word);
+  std::string name = text_of(word);
+  if (name == AI_DEFAULT_MATERIAL_NAME) return "";
+  const std::size_t number_end = name.find_first_not_of("0123456789", 2);
+  if (format == FileFormat::three_mf && name.starts_with("id") && number_end != std::string::npos &&
+      name[number_end] == '_')
+    name.erase(0, number_end + 1);
+  return name;
 }
 
 class Walk {
@@ -130,11 +146,10 @@ class Walk {
 
   void add(const aiMesh& mesh, const Place3& here, const std::string& path) {
     const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
-    aiString name;
-    material.Get(AI_MATKEY_NAME, name);
+    const std::string name = material_name(material, format_);
     builder_.begin_part(path);
-    builder_.begin_material(text_of(name));
-    builder_.begin_colour(colour_of(material, format_));
+    builder_.begin_material(name);
+    builder_.begin_colour(name.empty() ? "" : colour_of(material, format_));
     const auto first = static_cast<std::uint32_t>(builder_.position_count());
     for (unsigned k = 0; k < mesh.mNumVertices; ++k) builder_.add_position(position(mesh.mVertices[k], here));
     const bool turn = here.leftCols<3>().determinant() < 0.0;
@@ -180,6 +195,7 @@ class Complaints : public Assimp::LogStream {
     text.erase(std::find(text.begin(), text.end(), '\n'), text.end());
     // "Warn,  T0: ..."
     if (const std::size_t prefix = text.find(": "); prefix < 12) text.erase(0, prefix + 2);
+    if (text.starts_with("Ignored file of un")) return;  // of a ZIP archive, the model itself among them
     if (warnings_.size() < most && std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
       warnings_.push_back(text);
   }
@@ -200,8 +216,68 @@ class Log {
   Log& operator=(const Log&) = delete;
 };
 
+// The JSON of a glTF file, or of the first chunk of a binary one.
+nlohmann::json json_of(const std::filesystem::path& file) {
+  const std::string content = content_of_file(file);
+  std::string_view text = content;
+  if (text.starts_with("glTF")) {
+    constexpr std::size_t head = 20;  // of the file and of its first chunk
+    if (text.size() < head) throw InputError(Place{file.string()}, "ends within its header, expected glTF");
+    std::uint32_t length = 0;
+    std::memcpy(&length, text.data() + 12, sizeof length);
+    text = text.substr(head, length);
+  }
+  const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+  if (!json.is_object()) throw InputError(Place{file.string()}, "holds no JSON object that can be read, expected glTF");
+  return json;
+}
+
+// What assimp would read as if it were not there.
+void require_plain_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  const auto json = json_of(file);
+  const auto list = [](const nlohmann::json& holder, const char* key) {
+    const auto found = holder.find(key);
+    return found != holder.end() && found->is_array() ? *found : nlohmann::json::array();
+  };
+  for (const auto& extension : list(json, "extensionsRequired")) {
+    const std::string name = extension.is_string() ? extension.get<std::string>() : "?";
+    if (name.starts_with("KHR_materials") || name.starts_with("KHR_texture") || name.starts_with("EXT_texture") ||
+        name == "KHR_lights_punctual")
+      continue;
+    throw InputError(Place{file.string()}, fmt::format("requires the extension {}, expected glTF without it", name));
+  }
+  for (const auto& extension : list(json, "extensionsUsed"))
+    if (extension == "EXT_mesh_gpu_instancing")
+      warnings.emplace_back("EXT_mesh_gpu_instancing is not read: of its instances one is there");
+  const auto accessors = list(json, "accessors");
+  for (const auto& mesh : list(json, "meshes"))
+    for (const auto& primitive : list(mesh, "primitives")) {
+      if (primitive.contains("targets") && warnings.empty())
+        warnings.emplace_back("morph targets are not applied: meshes are as they were modelled");
+      const auto index = primitive.value("/attributes/POSITION"_json_pointer, nlohmann::json());
+      if (!index.is_number_unsigned() || index.get<std::size_t>() >= accessors.size()) continue;
+      constexpr int floats = 5126;
+      if (accessors[index.get<std::size_t>()].value("componentType", floats) != floats)
+        throw InputError(Place{file.string()}, "has positions that are not floats, expected glTF without quantization");
+    }
+}
+
+// Does any triangle say a material or a colour? head: what of the model is read already.
+bool has_triangle_properties(zip_file_t& model, const std::string& head) {
+  constexpr std::string_view words = " p1=\"";
+  std::string window = head;
+  std::string next(1 << 20U, '\0');
+  for (;;) {
+    if (window.find(words) != std::string::npos) return true;
+    const zip_int64_t count = zip_fread(&model, next.data(), next.size());
+    if (count <= 0) return false;
+    window.erase(0, window.size() - std::min(window.size(), words.size() - 1));
+    window.append(next.data(), static_cast<std::size_t>(count));
+  }
+}
+
 // The unit that a 3MF file says in its model: assimp passes it over. The default of the format: millimetres.
-std::string unit_of_3mf(const std::string& file) {
+std::string unit_of_3mf(const std::string& file, std::vector<std::string>& warnings) {
   struct Name {
     const char *word, *unit;
   };
@@ -215,6 +291,8 @@ std::string unit_of_3mf(const std::string& file) {
   if (!model) throw InputError(Place{file}, "holds no 3D/3dmodel.model, expected 3MF");
   std::string head(65536, '\0');
   head.resize(static_cast<std::size_t>(std::max<zip_int64_t>(0, zip_fread(model.get(), head.data(), head.size()))));
+  if (has_triangle_properties(*model, head))
+    warnings.emplace_back("materials and colours of single triangles are not read: a facet has its object's");
   const std::size_t begin = head.find("<model");
   const std::string tag = begin == std::string::npos ? "" : head.substr(begin, head.find('>', begin) - begin);
   const std::size_t unit = tag.find(" unit=\"");
@@ -230,8 +308,12 @@ std::string unit_of_3mf(const std::string& file) {
 }  // namespace
 
 ImportedMesh read_nodes(const std::filesystem::path& file, FileFormat format, const std::string& unit) {
-  const std::string said = format == FileFormat::gltf ? "m" : unit_of_3mf(file.string());
   ImportedMesh imported;
+  std::string said = "m";
+  if (format == FileFormat::gltf)
+    require_plain_gltf(file, imported.warnings);
+  else
+    said = unit_of_3mf(file.string(), imported.warnings);
   const Log log(imported.warnings);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), 0);

@@ -14,7 +14,9 @@ namespace lrcs {
 //   turned. Points and lines are passed over.
 // unit: what the file's numbers are to be taken for, whatever it says; "": what it says (glTF: m; 3MF: its `unit`).
 // error: InputError for a file that assimp does not read, an index of a vertex that is not there, no facets. Whatever
-//   else a damaged file does is the caller's to contain. Animations and skins are not applied: a warning says so.
+//   else a damaged file does is the caller's to contain. Animations, skins, morph targets and
+//   instancing by extension are not applied, colours of single 3MF triangles not read: warnings say so. Extensions that
+//   a file requires and that touch geometry are refused.
 // check: tests/cad/read_nodes_test.cpp.
 [[nodiscard]] ImportedMesh read_nodes(const std::filesystem::path& file, FileFormat format, const std::string& unit);
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
+#include "base/input_error.h"
 #include "base/length.h"
 #include "cad/contained.h"
 #include "cad/imported_mesh.h"
@@ -18,12 +20,14 @@ namespace {
 constexpr Tessellation usual;
 
 // A hundred times what good files take here: reading grows with the file, tessellation with its fineness too.
-ReaderLimits limits_for(const std::filesystem::path& file, const Tessellation& wanted) {
+ReaderLimits limits_for(const std::filesystem::path& file, FileFormat format, const Tessellation& wanted) {
   const double megabytes = static_cast<double>(std::filesystem::file_size(file)) / 1e6;
   const double chord = wanted.absolute ? 10.0 : usual.relative / wanted.relative;
   const double fineness = std::max({1.0, chord, usual.angle_deg / wanted.angle_deg});
   ReaderLimits limits;
-  limits.processor_s = (4.0 + 60.0 * megabytes) * fineness;
+  // CAD files hang readers, and hold all there is in one file; of others the bulk may be elsewhere, or packed.
+  const double least = holds_surfaces(format) ? 4.0 : 60.0;
+  limits.processor_s = (least + 60.0 * megabytes) * fineness;
   return limits;
 }
 
@@ -33,15 +37,26 @@ std::string said(const Tessellation& wanted) {
   return fmt::format("chord tolerance {}, at most {} deg from edge to edge", chord, wanted.angle_deg);
 }
 
+const char* reader_of(FileFormat format) {
+  if (format == FileFormat::vtk_xml) return "vtk";
+  return holds_surfaces(format) ? "occt" : "assimp";
+}
+
 TargetRead read_contained(const std::filesystem::path& file, FileFormat format, const std::string& unit,
                           const Tessellation& wanted) {
   const bool surfaces = holds_surfaces(format);
-  const std::string bytes = contained(file.string(), limits_for(file, wanted), [&] {
+  const std::string bytes = contained(file.string(), limits_for(file, format, wanted), [&] {
     std::string result;
-    load_reader(surfaces ? "occt" : "assimp")({file.string(), format, unit, wanted}, result);
+    load_reader(reader_of(format))({file.string(), format, unit, wanted}, result);
     return result;
   });
-  ImportedMesh imported = imported_of(bytes);
+  ImportedMesh imported = [&] {
+    try {
+      return imported_of(bytes);
+    } catch (const std::runtime_error& nonsense) {
+      throw InputError(Place{file.string()}, fmt::format("its reader gave {}: damaged?", nonsense.what()));
+    }
+  }();
   return {std::move(imported.mesh), imported.unit, surfaces ? said(wanted) : "", std::move(imported.warnings)};
 }
 

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <vector>
+
+#include "cad/contained.h"
 
 namespace lrcs {
 namespace {
@@ -26,12 +27,14 @@ ReadFunction* load_reader(const std::string& reader) {
   std::string complaints;
   for (const auto& place : places) {
     std::error_code none;
-    if (place.has_parent_path() && !std::filesystem::exists(place, none)) continue;
+    const bool is_there = place.has_parent_path() && std::filesystem::exists(place, none);
+    if (place.has_parent_path() && !is_there) continue;
     if (void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL))
       if (void* function = dlsym(library, "lrcs_read")) return reinterpret_cast<ReadFunction*>(function);
-    complaints = dlerror();
+    complaints += fmt::format("{}{}", complaints.empty() ? "" : "; ", dlerror());
+    if (is_there) break;
   }
-  throw std::runtime_error(fmt::format("the reader of such files cannot be loaded: {}", complaints));
+  throw ReaderNotLoaded(fmt::format("a part of lrcs cannot be loaded: {}", complaints));
 }
 
 }  // namespace lrcs

@@ -7,8 +7,8 @@
 namespace lrcs {
 
 // The libraries that read other people's formats (Open CASCADE alone is thirty shared libraries) take longer to be
-// loaded than most sweeps do to be computed. They come with liblrcs-occt.so and liblrcs-assimp.so, which are loaded
-// where such a file is read, in the process that reads it.
+// loaded than most sweeps do to be computed. They come with liblrcs-occt.so, liblrcs-assimp.so and liblrcs-vtk.so,
+// which are loaded where such a file is read, in the process that reads it.
 
 // What is asked of one.
 struct ReadRequest {
@@ -21,8 +21,8 @@ struct ReadRequest {
 // Appends an ImportedMesh as bytes (cad/imported_mesh.h). Its name in each library: "lrcs_read".
 using ReadFunction = void(const ReadRequest& request, std::string& bytes);
 
-// reader: "occt" or "assimp". Its library is looked for in the folder of the program, in ../lib/lrcs beside that, where
-// it was installed, and where the system looks for libraries. error: std::runtime_error.
+// reader: "occt", "assimp" or "vtk". Its library is looked for in the folder of the program, in ../lib/lrcs beside
+// that, where it was installed, and where the system looks for libraries. error: ReaderNotLoaded.
 [[nodiscard]] ReadFunction* load_reader(const std::string& reader);
 
 }  // namespace lrcs

@@ -20,7 +20,8 @@ void add_info_command(CLI::App& app, Common& common) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("info", "What a target's file holds, and what is wrong with it");
-  verb->add_option("target", options->target, "STEP, IGES, BREP, glTF, 3MF, STL, OBJ, PLY or OFF file")->required();
+  verb->add_option("target", options->target, "STEP, IGES, BREP, glTF, 3MF, VTP, VTU, STL, OBJ, PLY or OFF file")
+      ->required();
   verb->add_option("--unit", options->unit, "Unit of the target's coordinates (mm, m, inch, ...)");
   verb->add_option("--chord-tolerance", options->chord_tolerance,
                    "How far facets may lie off CAD surfaces: of a part's size (default 1e-3), or a length");

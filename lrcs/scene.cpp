@@ -57,7 +57,8 @@ std::vector<std::string> names_of(const std::vector<Material>& materials) {
 const std::map<std::string, AssignRule::By> keys_of_patterns{{"part", AssignRule::By::part},
                                                              {"file_material", AssignRule::By::file_material},
                                                              {"colour", AssignRule::By::colour},
-                                                             {"layer", AssignRule::By::layer}};
+                                                             {"layer", AssignRule::By::layer},
+                                                             {"property", AssignRule::By::property}};
 
 std::string key_of_pattern(const LocatedYaml& rule) {
   std::string found;
@@ -68,24 +69,30 @@ std::string key_of_pattern(const LocatedYaml& rule) {
   }
   if (found.empty())
     rule.fail(
-        "expected {part: PATTERN, material: NAME}, the same with file_material, colour or layer, or {default: NAME}");
+        "expected {part: PATTERN, material: NAME}, the same with file_material, colour or layer, {property: NAME, "
+        "value: "
+        "PATTERN, material: NAME}, or {default: NAME}");
   return found;
 }
 
 AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string>& materials) {
-  node.allow_keys({"part", "file_material", "colour", "layer", "material", "default"});
+  node.allow_keys({"part", "file_material", "colour", "layer", "property", "value", "material", "default"});
   AssignRule rule;
   std::string key = "material";
   if (node.has("default")) {
     key = "default";
-    for (const auto* other : {"part", "file_material", "colour", "layer", "material"})
+    for (const auto* other : {"part", "file_material", "colour", "layer", "property", "value", "material"})
       if (node.has(other)) node.key_place(other).fail(fmt::format("expected either default or {}, found both", other));
     rule.place = node.at("default").place();
   } else {
     const std::string by = key_of_pattern(node);
     rule.by = keys_of_patterns.at(by);
-    rule.pattern = node.at(by).text();
-    rule.place = node.at(by).place();
+    const bool by_property = rule.by == AssignRule::By::property;
+    if (by_property) rule.property = node.at(by).text();
+    if (!by_property && node.has("value")) node.key_place("value").fail("value belongs to property, which is missing");
+    const LocatedYaml pattern = node.at(by_property ? "value" : by);
+    rule.pattern = pattern.text();
+    rule.place = pattern.place();
   }
   rule.material = node.at(key).text();
   if (std::find(materials.begin(), materials.end(), rule.material) == materials.end())
@@ -204,19 +211,6 @@ void set_chord_angle(Tessellation& tessellation, double angle_deg, const Place& 
   if (!(angle_deg >= 0.1 && angle_deg <= 90.0))
     throw InputError(place, fmt::format("expected 0.1..90 deg from edge to edge, found {}", angle_deg));
   tessellation.angle_deg = angle_deg;
-}
-
-const FacetNames& told_by(AssignRule::By by, const FacetMesh& mesh) {
-  switch (by) {
-    case AssignRule::By::file_material:
-      return mesh.file_material;
-    case AssignRule::By::colour:
-      return mesh.colour;
-    case AssignRule::By::layer:
-      return mesh.layer;
-    default:
-      return mesh.part;
-  }
 }
 
 Scene read_scene(const std::filesystem::path& file) {

@@ -14,11 +14,12 @@ namespace lrcs {
 
 // Which facets a material goes to. First match wins.
 struct AssignRule {
-  enum class By { part, file_material, colour, layer, everything };
+  enum class By { part, file_material, colour, layer, property, everything };
   By by = By::everything;
-  std::string pattern;   // of what the file tells of a facet: *, ? and [...] as in a shell
-  std::string material;  // a name of Scene::materials
-  Place place;           // of the pattern, for messages
+  std::string pattern;     // of what the file tells of a facet: *, ? and [...] as in a shell
+  std::string material;    // a name of Scene::materials
+  Place place;             // of the pattern, for messages
+  std::string property{};  // its name, of By::property
 };
 
 // The target's file and how it is to be read.
@@ -65,9 +66,6 @@ struct Scene {
 void set_chord_tolerance(Tessellation& tessellation, const std::string& words, const Place& place);
 
 void set_chord_angle(Tessellation& tessellation, double angle_deg, const Place& place);
-
-// What the file tells facets that such rules go by.
-[[nodiscard]] const FacetNames& told_by(AssignRule::By by, const FacetMesh& mesh);
 
 // For each direction of scene.facets its row of the sweep: the one of the same angles, else the first that points the
 // same way. error: InputError at its place for a direction outside the sweep; it names the nearest.

@@ -33,19 +33,47 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 struct Words {
-  const char *one, *all;
+  std::string one, all;
 };
 
-Words words_of(AssignRule::By by) {
-  switch (by) {
+Words words_of(const AssignRule& rule) {
+  switch (rule.by) {
     case AssignRule::By::file_material:
       return {"material", "materials in the file"};
     case AssignRule::By::colour:
       return {"colour", "colours"};
     case AssignRule::By::layer:
       return {"layer", "layers"};
+    case AssignRule::By::property:
+      return {"value of " + rule.property, "values"};
     default:
       return {"part", "parts"};
+  }
+}
+
+const FacetNames& property_of(const FacetMesh& mesh, const AssignRule& rule) {
+  std::vector<std::string> names;
+  for (const FacetProperty& property : mesh.properties) {
+    if (property.name == rule.property) return property.values;
+    names.push_back(property.name);
+  }
+  throw InputError(rule.place, fmt::format("the target has no facet property '{}'{} (properties: {})", rule.property,
+                                           did_you_mean(rule.property, names), names.empty() ? "none" : listed(names)));
+}
+
+// What the file tells facets that the rule goes by.
+const FacetNames& told_by(const AssignRule& rule, const FacetMesh& mesh) {
+  switch (rule.by) {
+    case AssignRule::By::file_material:
+      return mesh.file_material;
+    case AssignRule::By::colour:
+      return mesh.colour;
+    case AssignRule::By::layer:
+      return mesh.layer;
+    case AssignRule::By::property:
+      return property_of(mesh, rule);
+    default:
+      return mesh.part;
   }
 }
 
@@ -60,7 +88,7 @@ std::vector<bool> matches(const AssignRule& rule, const std::vector<std::string>
   matched.reserve(names.size());
   for (const auto& name : names) matched.push_back(fnmatch(rule.pattern.c_str(), name.c_str(), flags_of(rule.by)) == 0);
   if (std::find(matched.begin(), matched.end(), true) == matched.end()) {
-    const Words words = words_of(rule.by);
+    const Words words = words_of(rule);
     throw InputError(rule.place, fmt::format("pattern '{}' matches no {} of the target{} ({})", rule.pattern, words.one,
                                              did_you_mean(rule.pattern, names),
                                              names.empty() ? fmt::format("the file has no {}", words.all)
@@ -99,7 +127,7 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
   for (const AssignRule& rule : scene.assign) {
     const std::uint32_t index = index_of(rule.material, scene.materials);
     const bool everything = rule.by == AssignRule::By::everything;
-    const FacetNames& told = told_by(rule.by, mesh);
+    const FacetNames& told = told_by(rule, mesh);
     const auto matched = everything ? std::vector<bool>{} : matches(rule, told.names);
     for (std::size_t k = 0; k < mesh.size(); ++k)
       if (material[k] == unassigned && (everything || matched[told.of[k]])) material[k] = index;

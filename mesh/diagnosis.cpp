@@ -1,5 +1,7 @@
 #include "mesh/diagnosis.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -131,6 +133,8 @@ Diagnosis diagnose(const FacetMesh& mesh) {
   measure_parts(mesh, d);
   d.colours = facets_by(mesh, mesh.colour);
   d.file_materials = facets_by(mesh, mesh.file_material);
+  for (const FacetProperty& property : mesh.properties)
+    d.properties.push_back(fmt::format("{} ({} values)", property.name, property.values.names.size()));
   FacetMesh repaired = mesh;
   const RepairCounts counts = repair_connectivity(repaired);
   d.degenerate = counts.degenerate;

@@ -47,6 +47,7 @@ struct Diagnosis {
   SelfIntersections self_intersections;  // pairs of facets
   std::vector<PartDiagnosis> parts;      // in file order
   std::vector<NamedFacets> colours, file_materials;  // with a name, in file order
+  std::vector<std::string> properties;               // names of the facets' properties
 };
 
 // check: made bodies with known counts, and a half-edge mesh as a second route (tests/mesh/diagnosis_test.cpp).

@@ -15,6 +15,12 @@ struct FacetNames {
   std::vector<std::string> names;  // "" stands for those without one
 };
 
+// What a file says of facets under a name of its own: a cell array of VTP. Whole numbers and words, as text.
+struct FacetProperty {
+  std::string name;
+  FacetNames values;
+};
+
 // A target as triangular facets, in arrays: what the integrator reads.
 // shape: every per-facet array has one entry a facet. Positions may repeat: `facets` says nothing of connectivity.
 // frame: the file's axes until place_in_body_frame() (mesh/body_frame.h).
@@ -26,6 +32,7 @@ struct FacetMesh {
   FacetNames file_material;  // the same of materials
   FacetNames colour;         // #rrggbb; may be empty
   FacetNames layer;          // may be empty
+  std::vector<FacetProperty> properties;
 
   double metres_per_unit = 1.0;  // [m]: scaling the positions would round, and what is coplanar would not stay so
 

@@ -18,7 +18,7 @@
 namespace lrcs {
 namespace {
 
-constexpr std::string_view readable = "expected STEP, IGES, BREP, glTF, 3MF, STL, OBJ, PLY or OFF";
+constexpr std::string_view readable = "expected STEP, IGES, BREP, glTF, 3MF, VTP, VTU, STL, OBJ, PLY or OFF";
 
 struct Signature {
   std::string_view begin;
@@ -32,7 +32,7 @@ constexpr std::array unread_formats{
               "compressed (xz)"},
     Signature{"# vtk DataFile", "a VTK legacy file"},
     Signature{"<VTKFile", "a VTK XML file"},
-    Signature{"<?xml", "an XML file (such as VTP, COLLADA, AMF or X3D)"},
+    Signature{"<?xml", "an XML file (such as COLLADA, AMF or X3D)"},
     Signature{"#VRML", "a VRML file"},
     Signature{"Kaydara FBX", "an FBX file"},
     Signature{"$MeshFormat", "a Gmsh file"},
@@ -45,6 +45,14 @@ bool is_iges(std::string_view content) {
          content.substr(73, 7).find_first_not_of(" 0123456789") == std::string_view::npos;
 }
 
+bool is_vtk_surface(std::string_view head) {
+  const std::size_t begin = head.find("<VTKFile");
+  if (begin == std::string_view::npos || head.front() != '<') return false;
+  const std::string_view tag = head.substr(begin, head.find('>', begin) - begin);
+  return tag.find("\"PolyData\"") != std::string_view::npos ||
+         tag.find("\"UnstructuredGrid\"") != std::string_view::npos;
+}
+
 constexpr std::string_view zip = "PK\x03\x04";
 
 std::optional<FileFormat> foreign_format(std::string_view content) {
@@ -52,6 +60,7 @@ std::optional<FileFormat> foreign_format(std::string_view content) {
   while (!content.empty() && std::isspace(static_cast<unsigned char>(content.front())) != 0) content.remove_prefix(1);
   if (content.starts_with("ISO-10303-21")) return FileFormat::step;
   if (content.starts_with("glTF")) return FileFormat::gltf;
+  if (is_vtk_surface(content.substr(0, 1024))) return FileFormat::vtk_xml;
   if (content.starts_with("{") && content.find("\"asset\"") != std::string_view::npos) return FileFormat::gltf;
   if (content.starts_with(zip) && content.find("3D/") != std::string_view::npos) return FileFormat::three_mf;
   if (content.starts_with("DBRep_DrawableShape") || content.starts_with("CASCADE Topology")) return FileFormat::brep;
@@ -101,7 +110,7 @@ std::optional<FileFormat> text_format(std::string_view content) {
 }
 
 std::optional<FileFormat> format_by_extension(const std::filesystem::path& file, bool text) {
-  const std::string extension = file.extension().string();
+  const std::string extension = (file.extension() == ".gz" ? file.stem() : file).extension().string();
   if (same_word(extension, ".stl")) return text ? FileFormat::stl_text : FileFormat::stl_binary;
   if (!text) return std::nullopt;
   if (same_word(extension, ".obj")) return FileFormat::obj;
@@ -119,7 +128,9 @@ std::uint32_t binary_stl_count(std::string_view content) {
 }
 
 std::optional<FileFormat> foreign_format_of(const std::filesystem::path& file) {
-  std::array<char, 256> head{};
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return std::nullopt;
+  std::array<char, 1024> head{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), head.size());
   std::string content(head.data(), static_cast<std::size_t>(stream.gcount()));
@@ -135,8 +146,10 @@ bool holds_surfaces(FileFormat format) {
 }
 
 bool has_unit(const std::filesystem::path& file) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return true;  // who reads it says what is wrong
   const auto format = foreign_format_of(file);
-  return format && *format != FileFormat::brep;
+  return format && *format != FileFormat::brep && *format != FileFormat::vtk_xml;
 }
 
 FileAxes axes_of(const std::filesystem::path& file) {
@@ -147,7 +160,8 @@ FileFormat file_format_of(std::string_view content, const std::filesystem::path&
   if (content.empty()) throw InputError(Place{file.string()}, fmt::format("is empty, {}", readable));
   if (is_binary_stl(content)) return FileFormat::stl_binary;
   if (foreign_format(content))
-    throw InputError(Place{file.string()}, "is STEP, IGES, BREP, glTF or 3MF, expected STL, OBJ, PLY or OFF here");
+    throw InputError(Place{file.string()},
+                     "is STEP, IGES, BREP, glTF, 3MF, VTP or VTU, expected STL, OBJ, PLY or OFF here");
   refuse_unread(content, file.string());
   // A PLY header is text, its data need not be; a "solid" with zero bytes in it is a broken binary STL.
   const bool text = is_text(content);

@@ -5,7 +5,7 @@
 
 namespace lrcs {
 
-enum class FileFormat { stl_text, stl_binary, obj, ply, off, step, iges, brep, gltf, three_mf };
+enum class FileFormat { stl_text, stl_binary, obj, ply, off, step, iges, brep, gltf, three_mf, vtk_xml };
 
 // Which of the formats that other libraries read a file has, by what it holds; none: another, or the file is not there.
 [[nodiscard]] std::optional<FileFormat> foreign_format_of(const std::filesystem::path& file);
@@ -13,7 +13,7 @@ enum class FileFormat { stl_text, stl_binary, obj, ply, off, step, iges, brep, g
 // Are there surfaces in such a file, of which facets must be made?
 [[nodiscard]] bool holds_surfaces(FileFormat format);
 
-// Does the file say in which unit its lengths are?
+// Does the file say in which unit its lengths are? True also of a file that is not there.
 [[nodiscard]] bool has_unit(const std::filesystem::path& file);
 
 // The axes of a file that are the nose and the upper side, where the user does not say: those of the format.

@@ -216,6 +216,7 @@ std::string info_text(const Diagnosis& d, const FileFacts& facts) {
   return facts.file + "\n" +
          fact("unit", facts.unit.empty() ? "not known: lengths are in the file's unit" : facts.unit) +
          (facts.tessellation.empty() ? "" : fact("tessellation", facts.tessellation)) + warnings +
+         (d.properties.empty() ? "" : fact("facet properties", fmt::format("{}", fmt::join(d.properties, ", ")))) +
          fact("parts", fmt::format("{}", d.parts.size())) + fact("facets", fmt::format("{}", d.facets)) +
          fact("vertices", fmt::format("{}", d.vertices)) + fact("area", fmt::format("{:.6g} {}^2", d.area, length)) +
          fact("volume", fmt::format("{:.6g} {}^3 (closed shells)", d.volume, length)) +
@@ -249,6 +250,7 @@ std::string info_json(const Diagnosis& d, const FileFacts& facts) {
                  {"self_intersections", d.self_intersections.pairs},
                  {"self_intersections_complete", d.self_intersections.complete}}},
                {"parts", parts}};
+  if (!d.properties.empty()) json["properties"] = d.properties;
   if (!facts.tessellation.empty()) json["tessellation"] = facts.tessellation;
   if (!facts.warnings.empty()) json["warnings"] = facts.warnings;
   // Names in files need not be UTF-8: what is not becomes U+FFFD rather than an exception.

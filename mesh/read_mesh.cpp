@@ -34,11 +34,6 @@ FacetMesh read_as(FileFormat format, std::string_view content, const std::string
   }
 }
 
-// By whose extension a format may be told: that of "a.stl.gz" is .stl.
-std::filesystem::path unpacked_name(const std::filesystem::path& file) {
-  return file.extension() == ".gz" ? file.parent_path() / file.stem() : file;
-}
-
 }  // namespace
 
 FacetMesh read_mesh(const std::filesystem::path& file) {
@@ -47,7 +42,7 @@ FacetMesh read_mesh(const std::filesystem::path& file) {
   if (is_gzip(bytes)) bytes = gunzip(bytes, file.string());
   std::string_view content = bytes;
   if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);  // UTF-8's byte order mark
-  FacetMesh mesh = read_as(file_format_of(content, unpacked_name(file)), content, file.string());
+  FacetMesh mesh = read_as(file_format_of(content, file), content, file.string());
   if (mesh.size() == 0) throw InputError(Place{file.string()}, "holds no facets, expected at least one");
   return mesh;
 }

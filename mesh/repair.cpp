@@ -34,7 +34,8 @@ std::size_t weld(FacetMesh& mesh) {
 
 // Drops the facets of which `drop` is true, and says how many they were.
 std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
-  const std::array lists{&mesh.part.of, &mesh.file_material.of, &mesh.colour.of, &mesh.layer.of, &mesh.source_facet};
+  std::vector lists{&mesh.part.of, &mesh.file_material.of, &mesh.colour.of, &mesh.layer.of, &mesh.source_facet};
+  for (FacetProperty& property : mesh.properties) lists.push_back(&property.values.of);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < mesh.size(); ++k) {
     if (drop(k)) continue;

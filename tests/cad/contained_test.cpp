@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -60,6 +62,20 @@ TEST(Contained, EndsWhatRunsForEver) {
                 {.processor_s = 1.0}),
             "a.step: its reader was not done after 1 s of processor time: damaged?");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+TEST(Contained, EndsWhatWaitsForEver) {
+  EXPECT_EQ(complaint_of(
+                []() -> std::string {
+                  for (;;) pause();
+                },
+                {.processor_s = 0.1}),
+            "a.step: its reader was not done after 1 s: does it wait for something?");
+}
+
+TEST(Contained, TellsAProgramThatIsNotWholeFromAWrongFile) {
+  EXPECT_THROW((void)contained("a.step", {}, []() -> std::string { throw ReaderNotLoaded("no library"); }),
+               ReaderNotLoaded);
 }
 
 TEST(Contained, EndsWhatTakesTooMuchMemory) {

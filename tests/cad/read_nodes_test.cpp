@@ -89,6 +89,8 @@ TEST_F(ReadNodes, ReadsTheUnitOf3mf) {
     write_3mf(folder_.path() / "made.3mf", words);
     const TargetRead target = read_target(folder_.path() / "made.3mf");
     EXPECT_EQ(target.unit, unit);
+    EXPECT_THAT(target.warnings, testing::IsEmpty());
+    EXPECT_THAT(target.mesh.file_material.names, ElementsAre(""));  // it names none
     const Diagnosis d = diagnose(target.mesh);
     EXPECT_EQ(d.parts.size(), 2U);
     EXPECT_NEAR(d.box[1].x(), 6.0 * metres, 1e-12);
@@ -103,6 +105,16 @@ TEST_F(ReadNodes, WarnsOfAnIndexOfAVertexThatIsNotThere) {
   EXPECT_EQ(target.mesh.size(), 3U);
   ASSERT_EQ(target.warnings.size(), 1U);
   EXPECT_NE(target.warnings[0].find("out-of-range"), std::string::npos) << target.warnings[0];
+}
+
+TEST_F(ReadNodes, RefusesGltfThatWouldBeReadWrong) {
+  std::string compressed = gltf_of(R"({"mesh": 0})"), quantized = compressed;
+  compressed.replace(compressed.find("\"scene\""), 0, "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], ");
+  EXPECT_EQ(complaint_about(compressed),
+            "made.gltf: requires the extension KHR_draco_mesh_compression, expected glTF without it");
+  quantized.replace(quantized.find("5126"), 4, "5123");
+  EXPECT_EQ(complaint_about(quantized),
+            "made.gltf: has positions that are not floats, expected glTF without quantization");
 }
 
 TEST_F(ReadNodes, IsAnInputErrorWhateverBytesAreChangedOrCutOff) {

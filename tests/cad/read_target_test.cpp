@@ -106,7 +106,7 @@ TEST(ReadTarget, LetsTheUserSayAnotherUnit) {
   EXPECT_NEAR(diagnose(target.mesh).box[1].x(), 70.0 / 25.4, 1e-9);
 }
 
-TEST(ReadTarget, TurnsFacesOutwardAlsoInAMirroredPlace) {
+TEST(ReadTarget, TurnsFacesOutwardOfMirroredSolids) {
   gp_Trsf mirror;
   mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)));
   MadeCad cad;
@@ -119,6 +119,50 @@ TEST(ReadTarget, TurnsFacesOutwardAlsoInAMirroredPlace) {
   EXPECT_NEAR(diagnose(target.mesh).volume, 12e-9, 1e-20);
   FacetMesh mesh = target.mesh;
   EXPECT_EQ(repair(mesh).flipped, 0U);
+}
+
+TEST(ReadTarget, TurnsFacesOutwardInAMirroredPlace) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(5, 0, 0), gp_Dir(1, 0, 0)));
+  const ScratchFolder folder;
+  write_brep(box_of(1.0, 2.0, 3.0).Located(TopLoc_Location(mirror), false), folder.path() / "mirrored.brep");
+  const Diagnosis d = diagnose(read_target(folder.path() / "mirrored.brep", "m").mesh);
+  EXPECT_EQ(d.flipped, 0U);
+  EXPECT_NEAR(d.volume, 6.0, 1e-12);
+  EXPECT_NEAR(d.box[0].x(), 9.0, 1e-12);
+}
+
+TEST(ReadTarget, KeepsPartsApartWhoseNamesLookNumbered) {
+  MadeCad cad;
+  const TDF_Label all = cad.assembly("all");
+  for (const char* name : {"a", "a", "a:1"}) cad.place(all, cad.product(box_of(1.0, 1.0, 1.0), name), {});
+  const ScratchFolder folder;
+  EXPECT_THAT(read(folder, cad).mesh.part.names, ElementsAre("all/a:2", "all/a:3", "all/a:1"));
+}
+
+// A solid without its shell, whatever it was.
+TEST(ReadTarget, WarnsOfWhatIsMissing) {
+  const ScratchFolder folder;
+  satellite().write_step(folder.path() / "whole.step");
+  std::string text = folder.read("whole.step");
+  const std::size_t begin = text.find("CLOSED_SHELL(");
+  const std::size_t line = text.rfind('\n', begin) + 1;
+  text.erase(line, text.find(';', begin) + 2 - line);
+  folder.write("part.step", text);
+  const TargetRead target = read_target(folder.path() / "part.step");
+  EXPECT_LT(target.mesh.part.names.size(), 5U);
+  EXPECT_FALSE(target.warnings.empty());
+}
+
+TEST(ReadTarget, RefusesAnotherUnitWhereTheFilesIsNotKnown) {
+  const ScratchFolder folder;
+  satellite().write_step(folder.path() / "made.step", "INCH");
+  std::string text = folder.read("made.step");
+  for (std::size_t at = text.find("'INCH'"); at != std::string::npos; at = text.find("'INCH'", at + 1))
+    text.replace(at, 6, "'ELL'");
+  folder.write("made.step", text);
+  EXPECT_NEAR(diagnose(read_target(folder.path() / "made.step").mesh).box[1].x(), 0.070, 1e-12);
+  EXPECT_THROW((void)read_target(folder.path() / "made.step", "mm"), InputError);
 }
 
 TEST(ReadTarget, ReadsBrepInTheUsersUnit) {

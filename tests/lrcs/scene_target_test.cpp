@@ -80,6 +80,29 @@ TEST(AssignMaterials, GoesByColoursAndLayersToo) {
             (Indices{0, 1, 2, 0}));
 }
 
+TEST(AssignMaterials, GoesByAPropertyOfFacets) {
+  FacetMesh mesh = four_parts();
+  mesh.properties = {{"coating", {{1, 0, 1, 2}, {"3", "17", "4"}}}};
+  AssignRule by_coating = rule(By::property, "1?", "b");
+  by_coating.property = "coating";
+  EXPECT_EQ(assign_materials(mesh, scene_of({by_coating, rule(By::everything, "", "a")})), (Indices{1, 0, 1, 0}));
+  const auto complaint = [&](const AssignRule& wrong) {
+    try {
+      (void)assign_materials(mesh, scene_of({wrong, rule(By::everything, "", "a")}));
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  by_coating.pattern = "5";
+  EXPECT_EQ(complaint(by_coating),
+            "scene.yaml:10:5: pattern '5' matches no value of coating of the target (values: '3', '17', '4')");
+  by_coating.property = "coatin";
+  EXPECT_EQ(complaint(by_coating),
+            "scene.yaml:10:5: the target has no facet property 'coatin', did you mean 'coating'? (properties: "
+            "'coating')");
+}
+
 TEST(AssignMaterials, SaysWhereAFileHasNoColours) {
   EXPECT_EQ(complaint_about({rule(By::colour, "#ff0000", "a"), rule(By::everything, "", "a")}),
             "scene.yaml:10:5: pattern '#ff0000' matches no colour of the target (the file has no colours)");

@@ -10,7 +10,7 @@
 namespace lrcs {
 namespace {
 
-constexpr const char* expected = "expected STEP, IGES, BREP, glTF, 3MF, STL, OBJ, PLY or OFF";
+constexpr const char* expected = "expected STEP, IGES, BREP, glTF, 3MF, VTP, VTU, STL, OBJ, PLY or OFF";
 
 std::string stl(const std::string& loop) {
   return "solid a\nfacet normal 0 0 1\nouter loop\n" + loop + "endloop\nendfacet\nendsolid\n";
@@ -52,7 +52,7 @@ TEST(BadFile, IsOfAFormatThatIsNotRead) {
 }
 
 TEST(BadFile, IsOfAFormatThatReadTargetReads) {
-  const std::string message = ": is STEP, IGES, BREP, glTF or 3MF, expected STL, OBJ, PLY or OFF here";
+  const std::string message = ": is STEP, IGES, BREP, glTF, 3MF, VTP or VTU, expected STL, OBJ, PLY or OFF here";
   EXPECT_EQ(complaint_about("a.glb", std::string("glTF\2\0\0\0", 8)), "a.glb" + message);
   EXPECT_EQ(complaint_about("a.gltf", " {\"asset\": {}}"), "a.gltf" + message);
   EXPECT_EQ(complaint_about("a.stp", "ISO-10303-21;\nHEADER;\n"), "a.stp" + message);
