@@ -67,9 +67,8 @@ void warn(CadDocument& read, const std::string& warning) {
 }
 
 // What could not be read, which is missing then: as many lines as there are kinds of complaints.
-void warn_of_failures(CadDocument& read, const Interface_CheckIterator& checks) {
+void warn_of_failures(CadDocument& read, const Interface_CheckIterator& check) {
   std::map<std::string, int> counts;
-  Interface_CheckIterator check = checks;
   for (check.Start(); check.More(); check.Next())
     for (int k = 1; k <= check.Value()->NbFails(); ++k) {
       std::string words = check.Value()->CFail(k);

@@ -169,7 +169,7 @@ class Walk {
   }
 
   [[nodiscard]] Vec3 position(const aiVector3D& v, const Place3& here) const {
-    const Vec3 p = here.leftCols<3>() * Vec3(v.x, v.y, v.z) + here.col(3);
+    Vec3 p = here.leftCols<3>() * Vec3(v.x, v.y, v.z) + here.col(3);
     for (const double x : p)
       if (!is_coordinate(x))
         throw InputError(Place{file_},
@@ -227,7 +227,7 @@ nlohmann::json json_of(const std::filesystem::path& file) {
     std::memcpy(&length, text.data() + 12, sizeof length);
     text = text.substr(head, length);
   }
-  const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+  auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
   if (!json.is_object()) throw InputError(Place{file.string()}, "holds no JSON object that can be read, expected glTF");
   return json;
 }
