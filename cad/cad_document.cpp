@@ -55,10 +55,11 @@ void set_unit(CadDocument& read, std::string_view word) {
 
 // The same where a length in millimetres is what the file says.
 void set_unit(CadDocument& read, double mm) {
+  constexpr double digits = 1e-9;  // relative: of the numbers in an IGES header
   read.unit = "mm";
   read.unit_mm = mm;
   for (const UnitName& u : unit_names)
-    if (std::abs(mm - u.mm) <= 1e-9 * u.mm) read.unit = u.name;
+    if (std::abs(mm - u.mm) <= digits * u.mm) read.unit = u.name;
 }
 
 void warn(CadDocument& read, const std::string& warning) {
