@@ -23,6 +23,7 @@ constexpr int done = 0, missed = 1, could_not_finish = 1, wrong_input = 2;
 struct Options {
   std::vector<std::string> forms{"nine_parameter", "five_parameter"};
   std::vector<double> noises{0.0, 0.01, 0.03};  // [1]
+  int first_seed = 1;
   int seeds = 20;
   int reference = 200;
   FitBudget budget;
@@ -61,7 +62,8 @@ bool measure(const std::string& form, const Options& options) {
   auto methods = fit_methods(options.budget);
   if (options.only_lrcs) std::erase_if(methods, [](const FitMethod& m) { return !m.name.starts_with("lrcs"); });
   const Stopwatch watch;
-  for (int seed = 1; seed <= options.seeds && watch.seconds() < options.longest; ++seed)
+  const int last = options.first_seed + options.seeds - 1;
+  for (int seed = options.first_seed; seed <= last && watch.seconds() < options.longest; ++seed)
     for (const FitData& data : all_fit_data(options.noises, static_cast<std::uint64_t>(seed)))
       comparisons.push_back(compare_fits(methods, form, data, options.reference));
   print(fit_table_text(form, comparisons, options.noises));
@@ -88,6 +90,11 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"nine_parameter", "five_parameter"}));
   not_short(
       app.add_option("--seeds", options.seeds, "Seeds a material and noise (default 20)")->check(CLI::Range(1, 1000)));
+  not_short(app.add_option("--first-seed", options.first_seed, "So that a long run may be made in pieces (default 1)")
+                ->check(CLI::Range(1, 1000000)));
+  not_short(app.add_option("--noises", options.noises, "Standard deviations over the value (default 0,0.01,0.03)")
+                ->delimiter(',')
+                ->check(CLI::Range(0.0, 1.0)));
   not_short(app.add_option("--reference", options.reference, "Descents from anywhere a set of data (default 200)")
                 ->check(CLI::Range(1, 100000)));
   not_short(
@@ -111,9 +118,9 @@ int run(int argc, char** argv) {
     print_coverage(options.forms, options.noises, options.coverage);
     return done;
   }
-  print(
-      fmt::format("seeds: at most {}, descents from anywhere {}, evaluations without derivatives {}, Ceres starts {}\n",
-                  options.seeds, options.reference, options.budget.evaluations, options.budget.starts));
+  print(fmt::format(
+      "seeds: at most {} from {} on, descents from anywhere {}, evaluations without derivatives {}, Ceres starts {}\n",
+      options.seeds, options.first_seed, options.reference, options.budget.evaluations, options.budget.starts));
   bool passed = true;
   for (const std::string& form : options.forms) passed = measure(form, options) && passed;
   return options.is_short && !passed ? missed : done;
