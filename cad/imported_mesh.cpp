@@ -71,6 +71,9 @@ void check(const FacetMesh& mesh) {
   require_names(mesh.colour, true);
   require_names(mesh.layer, true);
   for (const FacetProperty& property : mesh.properties) require_names(property.values, false);
+  require(mesh.curved.of.empty() || mesh.curved.of.size() == mesh.size());
+  for (const std::uint32_t patch : mesh.curved.of)
+    require(patch == CurvedFacets::flat || patch < mesh.curved.patches.size());
 }
 
 }  // namespace
@@ -85,6 +88,8 @@ std::string bytes_of(const ImportedMesh& imported) {
     append(bytes, told->of);
     append_words(bytes, told->names);
   }
+  append(bytes, mesh.curved.of);
+  append(bytes, mesh.curved.patches);
   append_count(bytes, mesh.properties.size());
   for (const FacetProperty& property : mesh.properties) {
     append_words(bytes, {property.name});
@@ -107,6 +112,8 @@ ImportedMesh imported_of(std::string_view bytes) {
     take(bytes, told->of);
     told->names = take_words(bytes);
   }
+  take(bytes, mesh.curved.of);
+  take(bytes, mesh.curved.patches);
   for (std::size_t count = take_count(bytes); count > 0; --count) {
     FacetProperty& property = mesh.properties.emplace_back();
     property.name = take_words(bytes).at(0);

@@ -18,6 +18,8 @@
 #include "base/input_error.h"
 #include "base/length.h"
 #include "cad/cad_parts.h"
+#include "cad/curved_face.h"
+#include "cad/fitted_facets.h"
 #include "cad/near_points.h"
 #include "cad/shape_size.h"
 #include "mesh/mesh_builder.h"
@@ -59,7 +61,11 @@ class Builder {
     }
   }
 
-  [[nodiscard]] FacetMesh finish() { return builder_.finish(); }
+  [[nodiscard]] FacetMesh finish() {
+    FacetMesh mesh = builder_.finish();
+    if (!curved_.patches.empty()) mesh.curved = std::move(curved_);
+    return mesh;
+  }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -95,15 +101,48 @@ class Builder {
       if (corner.back() == next) builder_.add_position(position);
     }
     const bool turn = (face.Orientation() == TopAbs_REVERSED) != placed.IsNegative();
+    CurvedFace curved(face, turn);
+    const auto number = [&](int node) { return corner[static_cast<std::size_t>(node)]; };
     facets_.clear();
-    for (int k = 1; k <= triangles->NbTriangles(); ++k) {
-      int a = 0, b = 0, c = 0;
-      triangles->Triangle(k).Get(a, b, c);
-      if (turn) std::swap(b, c);
-      facets_.push_back({corner[static_cast<std::size_t>(a) - 1], corner[static_cast<std::size_t>(b) - 1],
-                         corner[static_cast<std::size_t>(c) - 1]});
+    for (const auto& [a, b, c] : node_triples(*triangles, corner, curved)) {
+      std::array<std::uint32_t, 3> facet{number(a), number(b), number(c)};
+      if (turn) std::swap(facet[1], facet[2]);
+      const auto at = [&](std::size_t k) { return builder_.position(facet[k]); };
+      add_patch(curved.patch(a + 1, b + 1, c + 1, 0.5 * facet_cross(at(0), at(1), at(2))));
+      facets_.push_back(facet);
     }
     builder_.add_facets(facets_);
+  }
+
+  // The facets of a tessellation, by nodes from 0.
+  NodeTriples node_triples(const Poly_Triangulation& triangles, std::vector<std::uint32_t>& corner,
+                           CurvedFace& curved) {
+    NodeTriples facets;
+    facets.reserve(static_cast<std::size_t>(triangles.NbTriangles()));
+    for (int k = 1; k <= triangles.NbTriangles(); ++k) {
+      auto& [a, b, c] = facets.emplace_back();
+      triangles.Triangle(k).Get(a, b, c);
+      --a, --b, --c;
+    }
+    if (!curved.is_known()) return facets;
+    std::vector<FaceNode> nodes;
+    nodes.reserve(corner.size());
+    for (int k = 0; k < triangles.NbNodes(); ++k) {
+      const gp_Pnt2d uv = triangles.UVNode(k + 1);
+      nodes.push_back(
+          {builder_.position(corner[static_cast<std::size_t>(k)]), {uv.X(), uv.Y()}, curved.pole_of(k + 1)});
+    }
+    fit_to_surface(facets, nodes, curved.surface());
+    for (std::size_t k = corner.size(); k < nodes.size(); ++k) {
+      curved.add_node(nodes[k].uv);
+      corner.push_back(builder_.add_position(nodes[k].at));
+    }
+    return facets;
+  }
+
+  void add_patch(const std::optional<CurvedPatch>& patch) {
+    curved_.of.push_back(patch ? static_cast<std::uint32_t>(curved_.patches.size()) : CurvedFacets::flat);
+    if (patch) curved_.patches.push_back(*patch);
   }
 
   void warn_of_lost_face(const std::string& path) {
@@ -122,6 +161,7 @@ class Builder {
 
   MeshBuilder builder_;
   Facets facets_;
+  CurvedFacets curved_;
   std::vector<std::string> warnings_;
   std::string lost_in_;
   int lost_ = 0;

@@ -87,9 +87,9 @@ std::vector<AspectAngles> directions_from(const SceneFlags& flags) {
 // Every word that decides a number of the result.
 std::string digest_of_words(const SceneFlags& flags, const Material& material) {
   const std::vector<std::string> said{
-      flags.unit,   material_to_yaml(material), flags.azimuth,    flags.elevation, flags.receiver, flags.wavelength,
-      flags.plane,  flags.bistatic_angle,       flags.forward,    flags.up,        flags.sides,    flags.repair,
-      flags.facets, flags.chord_tolerance,      flags.chord_angle};
+      flags.unit,   material_to_yaml(material), flags.azimuth,     flags.elevation, flags.receiver, flags.wavelength,
+      flags.plane,  flags.bistatic_angle,       flags.forward,     flags.up,        flags.sides,    flags.repair,
+      flags.facets, flags.chord_tolerance,      flags.chord_angle, flags.curved};
   return digest_of(fmt::format("{}", fmt::join(said, "\n")));
 }
 
@@ -129,6 +129,8 @@ void SceneFlags::add_to(CLI::App& verb) {
   add("--up", up, "File axis that is up (default +z; glTF: +y)")->check(axis);
   add("--sides", sides, "Sides that reflect (default both)")->check(one_of({"both", "front"}));
   add("--repair", repair, "Repair the mesh (default auto)")->check(one_of({"auto", "none"}));
+  add("--curved", curved, "Integrate over CAD surfaces themselves (auto, the default) or over flat facets (none)")
+      ->check(one_of({"auto", "none"}));
   add("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL... [deg]");
 }
 
@@ -163,6 +165,7 @@ Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
     throw InputError(
         fmt::format("--up: expected another axis than --forward {}, found {}", scene.target.forward, scene.target.up));
   scene.target.repair = flags.repair == "auto";
+  scene.target.curved = flags.curved == "auto";
   scene.target.sides = flags.sides == "front" ? Sides::front : Sides::both;
   scene.wavelength = wavelength_from(flags);
   scene.materials = {material_from_argument(flags.material)};

@@ -15,7 +15,7 @@ namespace lrcs {
 struct SceneFlags {
   std::string unit, material, azimuth, elevation = "0", receiver = "monostatic", wavelength;
   std::string bistatic_angle, plane = "azimuth", chord_tolerance, chord_angle;
-  std::string forward, up, sides = "both", repair = "auto", facets = "none";
+  std::string forward, up, sides = "both", repair = "auto", curved = "auto", facets = "none";
   std::vector<const CLI::Option*> options;  // set by add_to
 
   void add_to(CLI::App& verb);

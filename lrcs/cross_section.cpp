@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "base/compensated_sum.h"
+#include "lrcs/curved_returns.h"
 #include "lrcs/return_error.h"
 
 namespace lrcs {
@@ -24,6 +25,7 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
         const auto& unseen = supposed(model);  // of facets that only rounding may make visible
         for (std::size_t k = 0; k < out.size(); ++k) {
           if (target.material[k] != material || (seen[k].value == 0.0 && seen[k].bound == 0.0)) continue;
+          if (target.curved.place_of(k) != CurvedSurface::none) continue;
           const Vec3& n = target.mesh.normals[k];
           const double cos_i = n.dot(wi);
           const bool perhaps_edge_on = seen[k].value == 0.0 && seen[k].bound == 1.0;
@@ -51,7 +53,12 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
 
 CrossSection cross_section(const Target& target, const Visibility& visibility, const Vec3& to_transmitter,
                            const Vec3& to_receiver) {
-  return cross_section(target, visibility.seen_fraction(to_transmitter, to_receiver), to_transmitter, to_receiver);
+  CrossSection result;
+  std::vector<Estimate> seen;
+  std::vector<SeenMiddle> middles;
+  visibility.seen_fraction(to_transmitter, to_receiver, seen, nullptr, &middles);
+  cross_section(target, seen, to_transmitter, to_receiver, result, middles);
+  return result;
 }
 
 CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
@@ -62,7 +69,7 @@ CrossSection cross_section(const Target& target, const std::vector<Estimate>& se
 }
 
 void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
-                   const Vec3& to_receiver, CrossSection& result) {
+                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenMiddle> middles) {
   const std::size_t facets = target.mesh.size();
   auto& reflected = result.facet_sigma;
   reflected.assign(facets, 0.0);
@@ -71,10 +78,23 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     reflect(target, m, to_transmitter, to_receiver, seen, reflected, lobes);
   const double of_pair = pair_error(target.materials, to_transmitter, to_receiver);
 
+  const auto curved = curved_returns(target, seen, middles, to_transmitter, to_receiver);
   result.seen_fraction.resize(facets);
-  CompensatedSum sigma, bound, seen_area;
+  CompensatedSum sigma, bound, seen_area, remains, squares;
   for (std::size_t k = 0; k < facets; ++k) {
     result.seen_fraction[k] = seen[k].value;
+    if (const std::uint32_t place = target.curved.place_of(k); place != CurvedSurface::none) {
+      const CurvedReturn& c = curved[place];
+      result.seen_fraction[k] = c.lit_seen / target.curved.facets()[place].area;
+      result.facet_sigma[k] = 4.0 * std::numbers::pi * c.returned;
+      sigma.add(result.facet_sigma[k]);
+      seen_area.add(c.seen_area);
+      bound.add(4.0 * std::numbers::pi * (c.bound + of_pair * std::abs(c.returned)));
+      const double rest = 4.0 * std::numbers::pi * (c.returned - c.lower);
+      remains.add(rest);
+      squares.add(rest * rest);
+      continue;
+    }
     if (seen[k].value == 0.0 && reflected[k] == 0.0) continue;
     const double cos_i = target.mesh.normals[k].dot(to_transmitter);
     const double cos_r = target.mesh.normals[k].dot(to_receiver);
@@ -87,7 +107,8 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     const double relative = of_pair + (grazing > model_error ? model_error / grazing : 1.0);
     bound.add(full * (seen[k].bound + seen[k].value * relative));
   }
-  result.sigma = {sigma.value(), bound.value() + 4.0 * std::numbers::pi * lobes.value()};
+  const double of_curvature = std::abs(remains.value()) + std::sqrt(squares.value());
+  result.sigma = {sigma.value(), bound.value() + 4.0 * std::numbers::pi * lobes.value() + of_curvature};
   result.seen_area = seen_area.value();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/estimate.h"
 #include "base/vec3.h"
 #include "brdf/material.h"
+#include "lrcs/curved_surface.h"
 #include "lrcs/visibility.h"
 #include "mesh/facet_mesh.h"
 
@@ -20,6 +22,7 @@ struct Target {
   std::vector<Material> materials;
   std::vector<std::uint32_t> material;
   Sides sides = Sides::both;
+  CurvedSurface curved{};  // of the mesh; empty: its curved facets are taken as flat
 };
 
 // Laser radar cross section of a target for one pair of directions.
@@ -41,6 +44,6 @@ struct CrossSection {
 [[nodiscard]] CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen,
                                          const Vec3& to_transmitter, const Vec3& to_receiver);
 void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
-                   const Vec3& to_receiver, CrossSection& result);
+                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenMiddle> middles = {});
 
 }  // namespace lrcs

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lrcs/facet_rise.h"
 #include "lrcs/facet_view.h"
 #include "lrcs/unit_triangle.h"
 
@@ -19,6 +20,21 @@ double u_at(const LayerEdge& e, double v) {
 bool spans(const LayerEdge& e, double v) {
   return std::min(e.v0, e.v1) <= v && v < std::max(e.v0, e.v1);
 }
+
+// The part of a piece that lies over the facet, as shares of it.
+struct Over {
+  double from = 0.0, to = 1.0;
+
+  explicit Over(const LayerEdge& e) { keep(e.u0, e.u1), keep(e.v0, e.v1), keep(1.0 - e.u0 - e.v0, 1.0 - e.u1 - e.v1); }
+  void keep(double a, double b) {
+    if (a == b) return;
+    const double zero = a / (a - b);
+    if (a < b)
+      from = std::max(from, zero);
+    else
+      to = std::min(to, zero);
+  }
+};
 
 }  // namespace
 
@@ -51,6 +67,13 @@ void FacetCut::add_outline(const OutlineEdge& edge) {
   if (a.height <= 0.0 && b.height <= 0.0) return;
   settle(a, edge.low);
   settle(b, edge.high);
+  const std::size_t first = edges_.size();
+  add_between(edge, a, corner_a, b, corner_b, slack);
+  if (!surface_->occluders.corner_normals.empty()) bend(edge, a, b, first);
+}
+
+void FacetCut::add_between(const OutlineEdge& edge, const FacetPoint& a, int corner_a, const FacetPoint& b,
+                           int corner_b, double slack) {
   if (a.height < 0.0 || b.height < 0.0) {
     double error = 0.0;
     const FacetPoint cut = flat().passage(edge.low, edge.high, error);
@@ -62,6 +85,37 @@ void FacetCut::add_outline(const OutlineEdge& edge) {
     return;
   }
   add(a, corner_a, b, corner_b, edge.gain, slack);
+}
+
+// Of the pieces from `first` on, all of one edge: in u only, so that layers stay the same at every height. The outline
+// lies beside the edge, and the facet's own surface rises over it: seen askew, what lies under the outline is another
+// place of it.
+void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetPoint& high, std::size_t first) {
+  const double rise = high.v - low.v, slope = (high.u - low.u) / rise;
+  if (!std::isfinite(slope)) return;
+  const auto beside = [&](const Vec3& by) {
+    const Eigen::Vector2d step = frame_.step(by);
+    return step.x() - slope * step.y();
+  };
+  const double at_low = beside(edge.bend.at_low), at_high = beside(edge.bend.at_high);
+  const FacetRise own(surface_->occluders, facet_);
+  const double rising = beside(own.normal);
+  for (std::size_t k = first; k < edges_.size(); ++k) {
+    LayerEdge& piece = edges_[k];
+    // Not the lines that stand for what lies left of the facet.
+    if (piece.u0 == 0.0 && piece.u1 == 0.0) continue;
+    const Over over(piece);
+    if (!(over.from < over.to)) continue;
+    const auto at = [&](double share) {
+      const double u = piece.u0 + share * (piece.u1 - piece.u0), v = piece.v0 + share * (piece.v1 - piece.v0);
+      return at_low + (v - low.v) / rise * (at_high - at_low) - rising * own.at(u, v);
+    };
+    // The line with the same area beside the piece, from where it comes over the facet to where it leaves it.
+    const double begin = at(over.from), middle = at(0.5 * (over.from + over.to)), end = at(over.to);
+    const double more = 2.0 / 3.0 * (middle - 0.5 * (begin + end)), slant = (end - begin) / (over.to - over.from);
+    piece.bend0 = begin + more - over.from * slant;
+    piece.bend1 = piece.bend0 + slant;
+  }
 }
 
 const FacetFrame& FacetCut::flat() {

@@ -45,7 +45,10 @@ class FacetCut {
   void settle(FacetPoint& point, std::uint32_t vertex);
   void add(const FacetPoint& a, int corner_a, const FacetPoint& b, int corner_b, int gain, double slack);
   void close_ports(const FacetPoint& a, const FacetPoint& b, double slack);
+  void add_between(const OutlineEdge& edge, const FacetPoint& a, int corner_a, const FacetPoint& b, int corner_b,
+                   double slack);
   void push(FacetPoint a, FacetPoint b, int gain);
+  void bend(const OutlineEdge& edge, const FacetPoint& low, const FacetPoint& high, std::size_t first);
   [[nodiscard]] int corner(const Contacts::Place& place) const {
     return place.low == place.high ? frame_.corner(place.low) : -1;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lrcs/exact_height.h"
+#include "mesh/exact_height.h"
 
 namespace lrcs {
 

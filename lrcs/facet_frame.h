@@ -51,6 +51,8 @@ class FacetFrame {
 
   // error: u, v: rounding(reach), reach as below. Exact at the facet's own corners.
   [[nodiscard]] FacetPoint at_vertex(std::uint32_t vertex) const;
+  // What a step across the view is in u and v.
+  [[nodiscard]] Eigen::Vector2d step(const Vec3& across) const { return {to_u_.dot(across), to_v_.dot(across)}; }
   // Makes the height right to one unit in the last place.
   void refine(FacetPoint& point, std::uint32_t vertex) const;
   // Where the edge from vertex `low` to vertex `high` > `low` passes the facet's plane (height 0), for ends on either

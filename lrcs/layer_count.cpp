@@ -49,7 +49,10 @@ void LayerCount::take_edges(std::span<const LayerEdge> edges) {
   heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
 }
 
-double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left) {
+double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left,
+                                  bool with_middle) {
+  with_middle_ = with_middle;
+  moments_.setZero();
   tolerance_ = tolerance;
   layers_at_left_ = layers_at_left;
   negative_area_ = 0.0;
@@ -63,6 +66,7 @@ double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double toler
   active_.clear();
   surely_ = layers_at_left;
   for (std::size_t k = 0; k + 1 < heights_.size(); ++k) {
+    slab_low_ = heights_[k];
     slab_height_ = heights_[k + 1] - heights_[k];
     if (!pass_to_slab(heights_[k])) continue;
     order_lines(heights_[k], heights_[k + 1]);
@@ -155,6 +159,7 @@ double LayerCount::slab_area() {
       const Line &a = lines_[k], &b = lines_[k + 1];
       const double gap = 0.5 * (std::max(0.0, b.bottom - a.bottom) + std::max(0.0, b.top - a.top));
       if (layers == 0) area += gap;
+      if (layers == 0 && with_middle_) add_moments(a, b, 0.0, 1.0);
       if (layers < 0) negative_area_ += slab_height_ * gap;
       ++k;
       continue;
@@ -169,6 +174,16 @@ double LayerCount::slab_area() {
     layers = right;
   }
   return area;
+}
+
+// Of what lies between two lines from one share of the slab's height to another: Simpson's rule is exact.
+void LayerCount::add_moments(const Line& left, const Line& right, double from, double to) {
+  for (const double share : {from, 0.5 * (from + to), to}) {
+    const double weight = (share == from || share == to ? 1.0 : 4.0) / 6.0 * (to - from) * slab_height_;
+    const double l = left.bottom + share * (left.top - left.bottom);
+    const double r = right.bottom + share * (right.top - right.bottom);
+    moments_ += weight * (r - l) * Eigen::Vector2d(0.5 * (l + r), slab_low_ + share * slab_height_);
+  }
 }
 
 // Ends that differ by rounding only become equal, so that all later comparisons are plain and agree with each other.
@@ -201,6 +216,7 @@ double LayerCount::gap_area(std::size_t left, double height) {
   const double above = run_[left + 1].top - run_[left].top;
   const double middle = 0.5 * (gap.since + height);
   const double area = (height - gap.since) * (below + middle * (above - below));
+  if (gap.layers == 0 && with_middle_) add_moments(run_[left], run_[left + 1], gap.since, height);
   if (gap.layers == 0) return area;
   negative_area_ += slab_height_ * area;
   return 0.0;

@@ -3,12 +3,15 @@
 #include <span>
 #include <vector>
 
+#include "base/vec3.h"
+
 namespace lrcs {
 
 // A piece of an outline in a facet's own coordinates (u, v): the facet is the triangle u >= 0, v >= 0, u + v <= 1.
 struct LayerEdge {
   double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;  // ends, in any order
   int step = 0;                                   // layers gained where the edge is crossed toward larger u
+  double bend0 = 0.0, bend1 = 0.0;                // how far in u the outline of a curved surface lies beside the ends
 };
 
 // Counts the layers that lie over a facet, from their outlines alone, and measures where there are none.
@@ -22,7 +25,10 @@ class LayerCount {
  public:
   // Area of the part of the unit triangle that no layer covers, 0..1/2. `layers_at_left`: the number of layers at u =
   // -infinity.
-  [[nodiscard]] double uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0);
+  [[nodiscard]] double uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0,
+                                      bool with_middle = false);
+  // Of the last area asked for, if it was asked for with its middle: integrals of u and v over it.
+  [[nodiscard]] const Eigen::Vector2d& moments() const { return moments_; }
   // Of the last area asked for: did the count go below zero on more than rounding's area?
   [[nodiscard]] bool went_negative() const {
     return negative_area_ > 4.0 * tolerance_ * static_cast<double>(edges_.size());
@@ -55,6 +61,7 @@ class LayerCount {
   // False: all of the slab is covered, whatever the order of its lines.
   [[nodiscard]] bool collect_lines(double low, double high);
   [[nodiscard]] double slab_area();
+  void add_moments(const Line& left, const Line& right, double from, double to);
   void find_crossings();
   // The same between lines first and last, which may cross, with `layers` at their left.
   [[nodiscard]] double area_with_crossings(std::size_t first, std::size_t last, int layers);
@@ -76,9 +83,11 @@ class LayerCount {
   std::vector<Gap> gaps_;              // gaps_[k]: right of run_[k]
   std::vector<Crossing> crossings_;    // a heap, the lowest first
   std::vector<std::uint32_t> place_;   // of a line by its rank
+  Eigen::Vector2d moments_ = Eigen::Vector2d::Zero();
+  bool with_middle_ = false;
   double tolerance_ = 0.0;
   double negative_area_ = 0.0;
-  double slab_height_ = 0.0;
+  double slab_low_ = 0.0, slab_height_ = 0.0;
   int layers_at_left_ = 0;
 };
 

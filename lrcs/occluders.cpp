@@ -40,6 +40,18 @@ void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
     for (double& x : p) x = std::ldexp(x, -exponent);
 }
 
+std::array<Vec3, 3> normals_at_corners(const FacetMesh& mesh, std::uint32_t facet, const Vec3& cross) {
+  const std::uint32_t patch = mesh.curved.of[facet];
+  std::array<Vec3, 3> normals;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> corner{};
+    corner[k] = 1.0;
+    const Vec3 vector = patch == CurvedFacets::flat ? cross : area_vector_at(mesh.curved.patches[patch], corner);
+    normals[k] = vector.stableNormalized();
+  }
+  return normals;
+}
+
 template <class T>
 void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   std::vector<T> permuted;
@@ -61,6 +73,8 @@ Occluders::Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept
     if (kept[f] == 0) continue;
     facets.push_back(all.facets[f]);
     cross.push_back(all.cross[f]);
+    if (!all.corner_normals.empty()) corner_normals.push_back(all.corner_normals[f]);
+    if (!all.first_corner.empty()) first_corner.push_back(all.first_corner[f]);
     original.push_back(all.original[f]);
   }
   order_vertices();
@@ -74,13 +88,17 @@ void Occluders::take_facets(const FacetMesh& mesh) {
     std::array<std::uint32_t, 3> ids{vertex[c[0]], vertex[c[1]], vertex[c[2]]};
     const Vec3 &a = positions[ids[0]], &b = positions[ids[1]], &d = positions[ids[2]];
     const std::array<double, 3> opposite{(d - b).squaredNorm(), (a - d).squaredNorm(), (b - a).squaredNorm()};
-    std::rotate(ids.begin(), ids.begin() + (std::max_element(opposite.begin(), opposite.end()) - opposite.begin()),
-                ids.end());
+    const auto first = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
+    std::rotate(ids.begin(), ids.begin() + first, ids.end());
     const Vec3 normal = facet_cross(positions[ids[0]], positions[ids[1]], positions[ids[2]]);
     if (normal.isZero(0.0)) continue;
     facets.push_back(ids);
     cross.push_back(normal);
     original.push_back(f);
+    if (mesh.curved.of.empty()) continue;
+    auto& normals = corner_normals.emplace_back(normals_at_corners(mesh, f, normal));
+    first_corner.push_back(static_cast<std::uint8_t>(first));
+    std::rotate(normals.begin(), normals.begin() + first, normals.end());
   }
 }
 
@@ -93,6 +111,8 @@ void Occluders::order_facets() {
   permute(facets, order);
   permute(cross, order);
   permute(original, order);
+  if (!corner_normals.empty()) permute(corner_normals, order);
+  if (!first_corner.empty()) permute(first_corner, order);
 }
 
 void Occluders::order_vertices() {

@@ -18,6 +18,9 @@ struct Occluders {
   std::vector<std::array<std::uint32_t, 3>> facets;
   std::vector<Vec3> cross;              // facet_cross() of the corners: twice the area, along the front's normal
   std::vector<std::uint32_t> original;  // number of the facet in the mesh
+  // Of the true surface at the facet's corners, unit; empty where the mesh has no curved facets.
+  std::vector<std::array<Vec3, 3>> corner_normals;
+  std::vector<std::uint8_t> first_corner;  // the mesh facet's corner that comes first here; empty with the normals
   Vec3 centre = Vec3::Zero();
 
   explicit Occluders(const FacetMesh& mesh);

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "base/vec3.h"
-#include "lrcs/exact_height.h"
 #include "lrcs/facet_frame.h"
+#include "mesh/exact_height.h"
 
 namespace lrcs {
 

@@ -20,7 +20,7 @@ namespace lrcs {
 namespace {
 
 TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path& folder) {
-  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "chord_tolerance", "chord_angle"});
+  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "curved", "chord_tolerance", "chord_angle"});
   TargetFile target;
   target.file = folder / node.at("file").text();
   target.place = node.at("file").place();
@@ -43,6 +43,7 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
     node.at(node.has("up") ? "up" : "forward")
         .fail(fmt::format("expected forward and up along different axes, found {} and {}", target.forward, target.up));
   if (node.has("sides") && node.at("sides").one_of({"both", "front"}) == "front") target.sides = Sides::front;
+  if (node.has("curved")) target.curved = node.at("curved").one_of({"auto", "none"}) == "auto";
   if (node.has("repair")) target.repair = node.at("repair").one_of({"auto", "none"}) == "auto";
   return target;
 }

@@ -161,8 +161,10 @@ LoadedTarget load_target(const Scene& scene) {
   loaded.unit = read.unit;
   loaded.tessellation = read.tessellation;
   loaded.warnings = read.warnings;
+  if (!scene.target.curved) target.mesh.curved = {};
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
+  target.curved = CurvedSurface(target.mesh);
   target.materials = scene.materials;
   target.sides = scene.target.sides;
   target.material = assign_materials(target.mesh, scene);

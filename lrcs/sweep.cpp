@@ -33,7 +33,7 @@ class Sweep {
   std::vector<SweepRow> run() {
     if (aspects_.empty()) return {};
     convex_ = is_convex_body(target_.mesh);
-    if (!convex_ && relative_ && SampledSections::may_pay(target_, *relative_)) {
+    if (!convex_ && relative_ && target_.curved.empty() && SampledSections::may_pay(target_, *relative_)) {
       sampled_.emplace(target_, *relative_, has_pairs());
       if (!sampled_->may_pay()) sampled_.reset();
     }
@@ -59,7 +59,7 @@ class Sweep {
     find_alike();
     for (std::size_t row = 0; row < aspects_.size(); ++row) {
       if (is_copied(row)) continue;
-      (convex_ && !wanted_[row] ? batched_ : alone_).push_back(row);
+      (convex_ && !wanted_[row] && target_.curved.empty() ? batched_ : alone_).push_back(row);
       const Aspect& aspect = aspects_[row];
       ++(aspect.to_transmitter == aspect.to_receiver ? skipped_.monostatic_directions
                                                      : skipped_.fixed_gamma_directions);
@@ -73,7 +73,8 @@ class Sweep {
     alike_ = first_alike(aspects_, {});
     for (std::size_t row = 0; row < alike_.size(); ++row)
       if (is_copied(row)) ++skipped_.repeated_directions;
-    if (convex_) return;
+    // Curved facets may differ where flat ones do not.
+    if (convex_ || !target_.curved.empty()) return;
     // Which facets lie on each other matters only where their materials differ, and is not known without visibility.
     if (!visibility_ && !has_one_material()) return;
     const auto coincident = visibility_ ? visibility_->coincident_facets() : std::vector<CoincidentFacets>{};
@@ -126,13 +127,13 @@ class Sweep {
 
   void compute(std::size_t row) {
     const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
-    auto& [seen, section] = memory_.local();
+    auto& [seen, middles, section] = memory_.local();
     VisibilityCost cost;
     if (convex_)
       seen = convex_seen_fraction(target_.mesh, di, dr);
     else
-      visibility_->seen_fraction(di, dr, seen, &cost);
-    cross_section(target_, seen, di, dr, section);
+      visibility_->seen_fraction(di, dr, seen, &cost, target_.curved.empty() ? nullptr : &middles);
+    cross_section(target_, seen, di, dr, section, middles);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
     skipped_.free_convex_parts += cost.free_convex_parts;
@@ -197,6 +198,7 @@ class Sweep {
   std::optional<Visibility> visibility_;
   struct Memory {  // of a thread
     std::vector<Estimate> seen;
+    std::vector<SeenMiddle> middles;
     CrossSection section;
   };
   tbb::enumerable_thread_specific<Memory> memory_;

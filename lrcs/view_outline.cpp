@@ -72,8 +72,12 @@ void ViewOutline::find_edges() {
 }
 
 void ViewOutline::add_edge(std::uint32_t edge, int gain) {
-  const auto [low, high, use] = surface_->edges.edges()[edge];
-  edges_.push_back({low, high, gain, Vec3(x_[low], y_[low], z_[low]), Vec3(x_[high], y_[high], z_[high])});
+  const auto& of_edge = surface_->edges.edges()[edge];
+  const std::uint32_t low = of_edge.low, high = of_edge.high, none = 2 * static_cast<std::uint32_t>(facing_.size());
+  OutlineBend bend;
+  if (!surface_->occluders.corner_normals.empty() && of_edge.use[0] != none && of_edge.use[1] != none)
+    bend = outline_bend(surface_->occluders, of_edge, frame_.toward);
+  edges_.push_back({low, high, gain, Vec3(x_[low], y_[low], z_[low]), Vec3(x_[high], y_[high], z_[high]), bend});
 }
 
 }  // namespace lrcs

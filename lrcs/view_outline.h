@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lrcs/facet_tree.h"
+#include "lrcs/outline_bend.h"
 #include "lrcs/surface.h"
 
 namespace lrcs {
@@ -13,6 +14,7 @@ struct OutlineEdge {
   std::uint32_t low, high;  // vertices
   int gain;                 // facets on the right less those on the left, looking from low to high
   Vec3 at_low, at_high;     // in the view
+  OutlineBend bend;         // of curved surfaces
 };
 
 // A target as seen along one direction: places across the view, which way facets face, and the edges of the outline.

@@ -11,6 +11,14 @@
 
 namespace lrcs {
 
+namespace {
+
+// What outlines' bends change may be off by so many times itself: measured up to 2 where the changes on a torus that
+// is seen flatly nearly cancel, and below a hundredth of it for a ball before a plate (docs/methods.md, section 8).
+constexpr double bend_doubt = 3.0;
+
+}  // namespace
+
 struct Visibility::Scratch {
   explicit Scratch(const Surface& surface_) : surface(surface_), walks{LayerWalk(surface_), LayerWalk(surface_)} {}
 
@@ -23,9 +31,13 @@ struct Visibility::Scratch {
   std::vector<Vec3> viewers;
   bool clipping_looks = false;
 
+  std::vector<SeenMiddle> middles;
+
   void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
   void find_wanted();
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
+  bool bend_outlines();
+  void note_middle(std::uint32_t facet, double error, int base);
   [[nodiscard]] double error_by_doubtful(std::uint32_t facet) const;
   [[nodiscard]] Estimate clipped(std::uint32_t facet);
 };
@@ -60,6 +72,26 @@ double Visibility::Scratch::error_by_doubtful(std::uint32_t facet) const {
   return error;
 }
 
+// Moves edges to where outlines of curved surfaces are. False: none is to be moved.
+bool Visibility::Scratch::bend_outlines() {
+  bool any = false;
+  for (LayerEdge& e : edges) {
+    any = any || e.bend0 != 0.0 || e.bend1 != 0.0;
+    e.u0 += e.bend0;
+    e.u1 += e.bend1;
+  }
+  return any;
+}
+
+void Visibility::Scratch::note_middle(std::uint32_t facet, double error, int base) {
+  const double area = count.uncovered_area(edges, error, base, true);
+  if (!(area > 0.0)) return;
+  const Eigen::Vector2d uv = count.moments() / area;
+  std::array<double, 3> at{1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
+  std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
+  middles.push_back({surface.occluders.original[facet], at});
+}
+
 std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   edges.clear();
   int base = 0;
@@ -81,9 +113,15 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   if (hidden || error == 0.0) return Estimate{hidden ? 0.0 : 1.0, std::min(1.0, 16.0 * left_out)};
   error = std::max(error, left_out);
   if (error >= LayerWalk::hardly_known) return std::nullopt;
-  const double fraction = 2.0 * count.uncovered_area(edges, error, base);
+  double fraction = 2.0 * count.uncovered_area(edges, error, base);
   if (count.went_negative()) return std::nullopt;
-  const double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
+  double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
+  if (bend_outlines()) {
+    const double bent = 2.0 * count.uncovered_area(edges, error, base);
+    bound += bend_doubt * std::abs(bent - fraction);
+    fraction = bent;
+  }
+  if (!surface.occluders.corner_normals.empty() && fraction > 0.0 && fraction < 1.0) note_middle(facet, error, base);
   return Estimate{std::clamp(fraction, 0.0, 1.0), bound};
 }
 
@@ -99,6 +137,8 @@ Visibility::Visibility(const FacetMesh& mesh) : facets_(mesh.size()), surface_(s
 Visibility::~Visibility() = default;
 
 std::size_t Visibility::look_only_from(std::span<const Vec3> viewers) {
+  // Outlines of curved surfaces bend as the facets on both sides tell.
+  if (!surface_->occluders.corner_normals.empty()) return 0;
   const auto faced = facets_ever_faced(*surface_, viewers);
   const auto never = static_cast<std::size_t>(std::ranges::count(faced, 0));
   // What is left is prepared anew: as long as 15 directions take, of which each is spared a tenth to a fifth.
@@ -121,7 +161,7 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
 }
 
 void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                               VisibilityCost* cost) const {
+                               VisibilityCost* cost, std::vector<SeenMiddle>* middles) const {
   std::unique_ptr<Scratch>& scratch = scratch_.local();
   if (!scratch) scratch = std::make_unique<Scratch>(*surface_);
   scratch->look_along(to_transmitter, to_receiver);
@@ -133,6 +173,7 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     spent.free_convex_parts += scratch->walks[k].free_parts().free_convex_parts();
     spent.other_free_parts += scratch->walks[k].free_parts().other_free_parts();
   }
+  scratch->middles.clear();
   fraction.assign(facets_, {});
   const auto& occluders = surface_->occluders;
   for (std::uint32_t f = 0; f < occluders.size(); ++f) {
@@ -151,6 +192,7 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     }
   }
   if (cost != nullptr) *cost = spent;
+  if (middles != nullptr) *middles = scratch->middles;
 }
 
 std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_transmitter, const Vec3& to_receiver) const {

@@ -26,6 +26,13 @@ struct VisibilityCost {
   std::size_t other_free_parts = 0;
 };
 
+// Where on a facet of a curved surface that is seen in part the middle of the part that is seen lies: weights of the
+// mesh facet's corners.
+struct SeenMiddle {
+  std::uint32_t facet;
+  std::array<double, 3> at;
+};
+
 // Which part of every facet the transmitter lights AND the receiver sees, exactly.
 //
 // The number of layers in front of a facet changes only across outlines (folds, boundaries, cuts), and is counted by
@@ -54,9 +61,10 @@ class Visibility {
   // fraction 0. Safe to call from several threads at once; the result does not depend on their number.
   [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                     VisibilityCost* cost = nullptr) const;
-  // Into memory that is there already: for many facets it takes long to be had anew.
+  // Into memory that is there already: for many facets it takes long to be had anew. Of a mesh with curved facets, with
+  // the middles of what is seen of those seen in part.
   void seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                     VisibilityCost* cost = nullptr) const;
+                     VisibilityCost* cost = nullptr, std::vector<SeenMiddle>* middles = nullptr) const;
 
   // The same by clipping every facet: slow, the oracle for tests.
   [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,

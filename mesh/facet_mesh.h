@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "mesh/curved_patch.h"
 
 namespace lrcs {
 
@@ -33,6 +34,7 @@ struct FacetMesh {
   FacetNames colour;         // #rrggbb; may be empty
   FacetNames layer;          // may be empty
   std::vector<FacetProperty> properties;
+  CurvedFacets curved;  // what facets of curved surfaces stand for
 
   double metres_per_unit = 1.0;  // [m]: scaling the positions would round, and what is coplanar would not stay so
 

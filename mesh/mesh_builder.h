@@ -19,6 +19,7 @@ class MeshBuilder {
   // Adds a vertex and gives its index. domain: coordinates for which is_coordinate() holds.
   std::uint32_t add_position(const Vec3& position);
   [[nodiscard]] std::size_t position_count() const { return mesh_.positions.size(); }
+  [[nodiscard]] const Vec3& position(std::uint32_t k) const { return mesh_.positions[k]; }
 
   // The part, the material, the colour and the layer of the polygons that follow; "" before the first call.
   void begin_part(std::string_view name) { part_.begin(name); }

@@ -34,7 +34,8 @@ std::size_t weld(FacetMesh& mesh) {
 
 // Drops the facets of which `drop` is true, and says how many they were.
 std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
-  std::vector lists{&mesh.part.of, &mesh.file_material.of, &mesh.colour.of, &mesh.layer.of, &mesh.source_facet};
+  std::vector lists{&mesh.part.of,  &mesh.file_material.of, &mesh.colour.of,
+                    &mesh.layer.of, &mesh.source_facet,     &mesh.curved.of};
   for (FacetProperty& property : mesh.properties) lists.push_back(&property.values.of);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < mesh.size(); ++k) {
@@ -97,6 +98,8 @@ std::size_t face_outward(FacetMesh& mesh) {
   for (const ClosedShell& shell : closed_shells(mesh)) {
     for (const std::uint32_t facet : shell.reversed) {
       std::swap(mesh.facets[facet][1], mesh.facets[facet][2]);
+      if (!mesh.curved.of.empty() && mesh.curved.of[facet] != CurvedFacets::flat)
+        turn_over(mesh.curved.patches[mesh.curved.of[facet]]);
       flipped += is_degenerate(mesh, facet) ? 0 : 1;
     }
   }

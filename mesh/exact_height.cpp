@@ -1,4 +1,4 @@
-#include "lrcs/exact_height.h"
+#include "mesh/exact_height.h"
 
 #include <CGAL/Exact_rational.h>
 

@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace lrcs {
+
+// Seven places in a facet, by their weights on its corners, and Radon's rule over them: exact for polynomials of degree
+// 5. lower: weights of degree 2 on the same places; what the two differ by tells the error.
+// source: J. Radon, Monatshefte fuer Mathematik 52, 286-300, 1948.
+struct PatchRule {
+  static constexpr std::size_t size = 7;
+  std::array<std::array<double, 3>, size> at;
+  std::array<double, size> weight, lower;
+};
+[[nodiscard]] const PatchRule& patch_rule();
+
+// What a facet of a curved surface stands for, at the places of patch_rule(): the surface's true normal, and the area
+// of the whole facet if its surface were stretched everywhere as it is there. Below zero where the patch folds over.
+// The integral of f(normal) over the patch is Sum weight area f(normal).
+struct CurvedPatch {
+  std::array<Vec3, PatchRule::size> normal;  // unit
+  std::array<double, PatchRule::size> area;  // [the mesh's unit, squared]
+};
+
+// The patches of a mesh.
+struct CurvedFacets {
+  static constexpr std::uint32_t flat = 0xffffffff;
+  std::vector<std::uint32_t> of;  // index into patches, or flat; one a facet, or empty: all are flat
+  std::vector<CurvedPatch> patches;
+};
+
+// The patch of the facet wound the other way, which exchanges its second and third corner.
+void turn_over(CurvedPatch& patch);
+
+// The patch over a part of a patch's facet, with corners at three places on it; what is between the places of the rule
+// is interpolated by a polynomial of degree 2 and a bubble.
+[[nodiscard]] CurvedPatch part_of(const CurvedPatch& patch, const std::array<std::array<double, 3>, 3>& corners);
+
+// normal times area at a place on the facet, interpolated the same way.
+[[nodiscard]] Vec3 area_vector_at(const CurvedPatch& patch, const std::array<double, 3>& place);
+
+}  // namespace lrcs

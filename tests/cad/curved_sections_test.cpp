@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_Parabola.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_GTrsf.hxx>
+#include <gp_Parab.hxx>
+#include <random>
+
+#include "base/direction.h"
+#include "brdf/library.h"
+#include "cad/read_target.h"
+#include "lrcs/sweep.h"
+#include "mesh/body_frame.h"
+#include "mesh/repair.h"
+#include "tests/cad/curved_reference.h"
+#include "tests/cad/made_cad.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double m = 1000.0;  // [mm]
+constexpr std::size_t most_facets = 20000;
+
+// Written as STEP, read as a user's file is.
+Target target_of(const TopoDS_Shape& shape, double angle_deg, bool curved = true) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "curved_sections_test.step";
+  MadeCad cad;
+  cad.product(shape, "body");
+  cad.write_step(file);
+  Target target;
+  target.mesh = read_target(file, "", {.relative = 0.01, .absolute = {}, .angle_deg = angle_deg}).mesh;
+  if (!curved) target.mesh.curved = {};
+  repair(target.mesh);
+  place_in_body_frame(target.mesh, target.mesh.metres_per_unit, "+x", "+z");
+  target.curved = CurvedSurface(target.mesh);
+  target.material.assign(target.mesh.size(), 0);
+  std::filesystem::remove(file);
+  return target;
+}
+
+std::vector<std::pair<std::string, Brdf>> materials() {
+  std::vector<std::pair<std::string, Brdf>> all{{"Lambert", Lambert(1.0)},
+                                                {"narrow lobe", Steinvall(1.0, 0.0, 0.1, 0.0)}};
+  for (const char* name : {"metal-skin-5p", "metal-skin-9p", "painted-steel-5p", "painted-steel-9p"})
+    all.emplace_back(name, find_in_library(name)->brdf);
+  return all;
+}
+
+Aspect aspect(const AspectAngles& transmitter, const AspectAngles& receiver) {
+  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
+}
+
+Estimate sigma_of(Target& target, const Brdf& brdf, const Aspect& from) {
+  target.materials = {{"m", brdf, 0.0, ""}};
+  return run_sweep(target, {from}, 1)[0].sigma;
+}
+
+struct Solid {
+  std::string name;
+  TopoDS_Shape shape;
+  RoundSurface surface;
+  double angle_deg;
+  double error;  // relative, at most
+  std::vector<Aspect> aspects;
+};
+
+TopoDS_Shape ellipsoid_of(double a, double b, double c) {
+  gp_GTrsf stretch;
+  stretch.SetValue(1, 1, a), stretch.SetValue(2, 2, b), stretch.SetValue(3, 3, c);
+  return BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(m).Shape(), stretch, true).Shape();
+}
+
+// z = r^2 / 2, r up to 1 m.
+TopoDS_Shape paraboloid() {
+  const gp_Parab curve(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp_Dir(0, 0, 1)), 0.5 * m);
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(Handle(Geom_Parabola)(new Geom_Parabola(curve)), 0.0, m);
+  return BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape();
+}
+
+RoundSurface ellipsoid_surface(double a, double b, double c) {
+  return {
+      -std::numbers::pi / 2,
+      std::numbers::pi / 2,
+      [=](double v) { return Vec3(std::cos(v) * Vec3(b * c * std::cos(v), a * c * std::cos(v), a * b * std::sin(v))); },
+      {}};
+}
+
+RoundSurface torus_surface(double ring, double tube) {
+  return {
+      0.0,
+      2 * std::numbers::pi,
+      [=](double v) { return Vec3(tube * (ring + tube * std::cos(v)) * Vec3(std::cos(v), std::cos(v), std::sin(v))); },
+      {}};
+}
+
+std::vector<Solid> solids() {
+  const std::vector<Aspect> all_round{
+      aspect({0, 90}, {0, 90}),   aspect({20, 35}, {20, 35}),  aspect({77, -12}, {77, -12}), aspect({200, 3}, {200, 3}),
+      aspect({20, 35}, {60, 21}), aspect({130, -40}, {75, 5}), aspect({-77, 50}, {10, 80})};
+  const std::vector<Aspect> from_above{aspect({0, 90}, {0, 90}), aspect({40, 75}, {40, 75}), aspect({10, 62}, {10, 62}),
+                                       aspect({40, 80}, {70, 65})};
+  const std::vector<Aspect> from_below{aspect({0, -90}, {0, -90}), aspect({20, -60}, {20, -60}),
+                                       aspect({40, -80}, {70, -50})};
+  // A millionth is wanted. The sphere misses it with the narrow lobe at its pole, the ellipsoid (a B-spline) by where
+  // it turns away from one of two directions.
+  const double pi = std::numbers::pi;
+  return {{"sphere", BRepPrimAPI_MakeSphere(m), ellipsoid_surface(1, 1, 1), 3.7, 3e-6, all_round},
+          {"cylinder",
+           BRepPrimAPI_MakeCylinder(m, m),
+           {0, 1, [](double) { return Vec3(1, 1, 0); }, {{Vec3(0, 0, 1), pi}, {Vec3(0, 0, -1), pi}}},
+           3.0,
+           1e-6,
+           all_round},
+          {"cone",
+           BRepPrimAPI_MakeCone(m, 0, 3 * m),
+           {0, 1, [](double v) { return Vec3((1 - v) * Vec3(3, 3, 1)); }, {{Vec3(0, 0, -1), pi}}},
+           3.0,
+           1e-6,
+           all_round},
+          {"torus", BRepPrimAPI_MakeTorus(m, 0.4 * m), torus_surface(1, 0.4), 7.3, 1e-6, from_above},
+          {"ellipsoid", ellipsoid_of(1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), 2.4, 5e-6, all_round},
+          {"paraboloid",
+           paraboloid(),
+           {0, 1, [](double v) { return Vec3(v * Vec3(v, v, -1)); }, {}},
+           1.9,
+           3e-6,
+           from_below}};
+}
+
+TEST(CurvedSections, SigmaOfUnshadedSolidsIsRightToMillionths) {
+  for (const Solid& solid : solids()) {
+    Target target = target_of(solid.shape, solid.angle_deg);
+    EXPECT_LE(target.mesh.size(), most_facets) << solid.name;
+    for (const auto& [name, brdf] : materials())
+      for (const Aspect& from : solid.aspects) {
+        // All with all takes a minute; these are what materials differ in.
+        if (solid.name != "sphere" && solid.name != "cone" && name != "narrow lobe" && name != "metal-skin-5p")
+          continue;
+        const double exact = unshaded_sigma(solid.surface, brdf, from.to_transmitter, from.to_receiver);
+        const Estimate sigma = sigma_of(target, brdf, from);
+        const auto where = testing::Message() << solid.name << ", " << target.mesh.size() << " facets, " << name << ", "
+                                              << from.transmitter.azimuth_deg << " " << from.transmitter.elevation_deg;
+        // The nine-parameter model has creases where light comes in askew, at which the reference is no better than
+        // this.
+        const bool creased = name.ends_with("9p") && from.to_transmitter != from.to_receiver;
+        const double of_reference = creased ? 3e-6 * exact : 3e-8 * exact;
+        EXPECT_NEAR(sigma.value, exact, solid.error * exact + of_reference) << where;
+        EXPECT_NEAR(sigma.value, exact, sigma.bound + of_reference) << where;
+      }
+  }
+}
+
+TEST(CurvedSections, SigmaOfAShadedTorusIsRightToAHundredThousandth) {
+  const ShadedTorus torus(1.0, 0.4);
+  Target target = target_of(BRepPrimAPI_MakeTorus(m, 0.4 * m), 7.3);
+  EXPECT_LE(target.mesh.size(), most_facets);
+  for (const auto& [name, brdf] : materials())
+    for (const AspectAngles& from :
+         {AspectAngles{10, 45}, AspectAngles{20, 35}, AspectAngles{100, 25}, AspectAngles{33, 15}, AspectAngles{0, 7},
+          AspectAngles{14, 7}, AspectAngles{50, 0}}) {
+      const double exact = torus.sigma(brdf, direction_of(from));
+      const Estimate sigma = sigma_of(target, brdf, aspect(from, from));
+      // Near the plane of the ring it is seen so flatly that its facets are not small beside what is seen of it.
+      const double error = from.elevation_deg < 10.0 ? 1e-4 : 1e-5;
+      EXPECT_NEAR(sigma.value, exact, error * exact) << name << ", elevation " << from.elevation_deg;
+      EXPECT_NEAR(sigma.value, exact, sigma.bound) << name << ", elevation " << from.elevation_deg;
+    }
+}
+
+TEST(CurvedSections, ABallHidesOfAPlateBehindItWhatItsTrueOutlineDoes) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 5 * m), m).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(-2 * m, -2 * m, -m), gp_Pnt(2 * m, 2 * m, 0)).Shape());
+  const double exact = 8.0 / 3.0 * std::numbers::pi + 4.0 * (16.0 - std::numbers::pi);
+  for (const bool curved : {true, false}) {
+    Target target = target_of(both, 8.0, curved);
+    const Estimate sigma = sigma_of(target, Lambert(1.0), aspect({0, 90}, {0, 90}));
+    if (curved) {
+      EXPECT_NEAR(sigma.value, exact, 3e-7 * exact);
+      EXPECT_NEAR(sigma.value, exact, sigma.bound);
+    } else {
+      EXPECT_GT(std::abs(sigma.value - exact), 1e-5 * exact);
+    }
+  }
+}
+
+TEST(CurvedSections, ReferencesAgreeWhereTheTorusDoesNotShadeItself) {
+  const Vec3 w = direction_of({40, 75});
+  EXPECT_NEAR(ShadedTorus(1.0, 0.4).sigma(Lambert(1.0), w), unshaded_sigma(torus_surface(1, 0.4), Lambert(1.0), w, w),
+              1e-7);
+  EXPECT_NEAR(unshaded_sigma(ellipsoid_surface(2, 2, 2), Lambert(0.5), w, w), 8.0 / 3.0 * std::numbers::pi * 2.0, 1e-8);
+}
+
+TEST(CurvedSections, ConvergesAtFourthOrderAndFlatFacetsAtSecond) {
+  const RoundSurface surface = torus_surface(1, 0.4);
+  const Brdf brdf = find_in_library("metal-skin-5p")->brdf;
+  for (const bool curved : {true, false}) {
+    std::vector<double> errors, facets;
+    for (const double angle : {36.0, 18.0, 9.0}) {
+      Target target = target_of(BRepPrimAPI_MakeTorus(m, 0.4 * m), angle, curved);
+      double worst = 0.0;
+      for (const AspectAngles& from : {AspectAngles{20, 80}, AspectAngles{77, 65}, AspectAngles{-50, 70}}) {
+        const Aspect at = aspect(from, from);
+        const double exact = unshaded_sigma(surface, brdf, at.to_transmitter, at.to_receiver);
+        worst = std::max(worst, std::abs(sigma_of(target, brdf, at).value / exact - 1.0));
+      }
+      errors.push_back(worst);
+      facets.push_back(static_cast<double>(target.mesh.size()));
+    }
+    // By the length of an edge, which goes as one over the root of the number of facets.
+    const double order = -2.0 * std::log(errors[2] / errors[0]) / std::log(facets[2] / facets[0]);
+    if (curved)
+      EXPECT_GE(order, 4.0);
+    else
+      EXPECT_NEAR(order, 2.0, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace lrcs
