@@ -3,6 +3,7 @@
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -39,6 +40,13 @@ bool is_planar(const CurvedPatch& patch, const Vec3& flat) {
   for (std::size_t k = 0; k < PatchRule::size; ++k)
     if (!((patch.area[k] * patch.normal[k] - flat).norm() <= alike * area)) return false;
   return true;
+}
+
+// Whether a patch may stand over its facet: a file's parameters may say something else than its points.
+bool is_near(const CurvedPatch& patch, const Vec3& flat, double longest) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < PatchRule::size; ++k) sum += patch_rule().weight[k] * patch.area[k] * patch.normal[k];
+  return (sum - flat).norm() <= 0.25 * longest * longest;
 }
 
 bool is_finite(const CurvedPatch& patch) {
@@ -160,6 +168,15 @@ CurvedFace::Mapped CurvedFace::map_at_pole(const std::array<int, 3>& nodes, std:
   return {at, by_along / (1.0 - rise), by_rise};
 }
 
+double CurvedFace::longest_side(const std::array<int, 3>& nodes) const {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Uv a = uv(nodes[k]), b = uv(nodes[(k + 1) % 3]);
+    longest = std::max(longest, surface_.Value(a.x(), a.y()).Distance(surface_.Value(b.x(), b.y())));
+  }
+  return longest;
+}
+
 // The derivatives by both parameters, one across the other.
 Vec3 CurvedFace::across(const Uv& at) const {
   gp_Pnt point;
@@ -201,7 +218,7 @@ double CurvedFace::plane_area(const std::array<int, 3>& nodes) const {
   return 0.5 * twice;
 }
 
-std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const Vec3& flat) const {
+std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const Vec3& flat) const try {
   if (!known_) return std::nullopt;
   const std::array<int, 3> nodes{a, b, c};
   std::size_t poles = 0, pole = 0;
@@ -226,8 +243,10 @@ std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const Vec3& fl
     const double share = pole_area(nodes, pole) / sum;
     for (double& area : patch.area) area *= share;
   }
-  if (!is_finite(patch) || is_planar(patch, flat)) return std::nullopt;
+  if (!is_finite(patch) || is_planar(patch, flat) || !is_near(patch, flat, longest_side(nodes))) return std::nullopt;
   return patch;
+} catch (const Standard_Failure&) {
+  return std::nullopt;
 }
 
 }  // namespace lrcs

@@ -19,8 +19,11 @@ namespace lrcs {
 // At a pole (where an edge has no length) a facet's sides are lines of constant parameter.
 class CurvedFace {
  public:
-  // domain: tessellated. turned: facets are wound against the surface's own normal.
+  // domain: tessellated. error: Standard_Failure of Open CASCADE. turned: facets are wound against the surface's own
+  // normal.
   CurvedFace(const TopoDS_Face& face, bool turned);
+  // Of a face that is to stay flat.
+  CurvedFace() = default;
 
   // Of the facet of three nodes of the triangulation, in its order there; places of the patch go by the facet's
   // corners: (a, b, c), or (a, c, b) of a turned face. flat: the facet's area vector. Nothing where the facet is the
@@ -58,6 +61,7 @@ class CurvedFace {
   [[nodiscard]] Mapped map_at_pole(const std::array<int, 3>& nodes, std::size_t pole,
                                    const std::array<double, 3>& place) const;
   [[nodiscard]] double pole_area(const std::array<int, 3>& nodes, std::size_t pole) const;
+  [[nodiscard]] double longest_side(const std::array<int, 3>& nodes) const;
   [[nodiscard]] Vec3 across(const Uv& at) const;
   [[nodiscard]] double plane_area(const std::array<int, 3>& nodes) const;
 
@@ -68,7 +72,7 @@ class CurvedFace {
   std::vector<BRepAdaptor_Curve2d> curves_;
   std::map<std::pair<int, int>, Side> sides_;  // of nodes in the order of the edge
   std::vector<int> poles_;                     // of each node, which are numbered from 1
-  bool turned_, known_ = false;
+  bool turned_ = false, known_ = false;
 };
 
 }  // namespace lrcs

@@ -83,7 +83,10 @@ class Fitting {
     return share;
   }
 
+  // Where there are more breaks than facets to a side, facets do not get smaller by them alone.
   void split_at_breaks() {
+    const auto breaks = static_cast<double>(breaks_[0].size() + breaks_[1].size());
+    if (breaks * breaks > static_cast<double>(facets_.size())) return breaks_[0].clear(), breaks_[1].clear();
     for (const int axis : {0, 1})
       for (const double at : breaks_[static_cast<std::size_t>(axis)])
         for (const auto& [a, b] : edges())

@@ -49,6 +49,8 @@ void tessellate(const TopoDS_Shape& product, double chord, double angle_deg) {
 // The facets of placed faces, in the order of the file.
 class Builder {
  public:
+  explicit Builder(bool curved) : curved_wanted_(curved) {}
+
   // chord: the tolerance of the part's tessellation.
   void add(const CadPart& part, double chord) {
     builder_.begin_part(part.path);
@@ -101,10 +103,18 @@ class Builder {
       if (corner.back() == next) builder_.add_position(position);
     }
     const bool turn = (face.Orientation() == TopAbs_REVERSED) != placed.IsNegative();
-    CurvedFace curved(face, turn);
+    CurvedFace curved;
+    NodeTriples triples = node_triples(*triangles);
+    // What Open CASCADE cannot evaluate stays flat.
+    try {
+      if (curved_wanted_) fit(face, turn, *triangles, corner, curved, triples);
+    } catch (const Standard_Failure&) {
+      curved = CurvedFace();
+      triples = node_triples(*triangles);
+    }
     const auto number = [&](int node) { return corner[static_cast<std::size_t>(node)]; };
     facets_.clear();
-    for (const auto& [a, b, c] : node_triples(*triangles, corner, curved)) {
+    for (const auto& [a, b, c] : triples) {
       std::array<std::uint32_t, 3> facet{number(a), number(b), number(c)};
       if (turn) std::swap(facet[1], facet[2]);
       const auto at = [&](std::size_t k) { return builder_.position(facet[k]); };
@@ -115,8 +125,7 @@ class Builder {
   }
 
   // The facets of a tessellation, by nodes from 0.
-  NodeTriples node_triples(const Poly_Triangulation& triangles, std::vector<std::uint32_t>& corner,
-                           CurvedFace& curved) {
+  static NodeTriples node_triples(const Poly_Triangulation& triangles) {
     NodeTriples facets;
     facets.reserve(static_cast<std::size_t>(triangles.NbTriangles()));
     for (int k = 1; k <= triangles.NbTriangles(); ++k) {
@@ -124,7 +133,13 @@ class Builder {
       triangles.Triangle(k).Get(a, b, c);
       --a, --b, --c;
     }
-    if (!curved.is_known()) return facets;
+    return facets;
+  }
+
+  void fit(const TopoDS_Face& face, bool turn, const Poly_Triangulation& triangles, std::vector<std::uint32_t>& corner,
+           CurvedFace& curved, NodeTriples& facets) {
+    curved = CurvedFace(face, turn);
+    if (!curved.is_known()) return;
     std::vector<FaceNode> nodes;
     nodes.reserve(corner.size());
     for (int k = 0; k < triangles.NbNodes(); ++k) {
@@ -137,7 +152,6 @@ class Builder {
       curved.add_node(nodes[k].uv);
       corner.push_back(builder_.add_position(nodes[k].at));
     }
-    return facets;
   }
 
   void add_patch(const std::optional<CurvedPatch>& patch) {
@@ -162,6 +176,7 @@ class Builder {
   MeshBuilder builder_;
   Facets facets_;
   CurvedFacets curved_;
+  bool curved_wanted_;
   std::vector<std::string> warnings_;
   std::string lost_in_;
   int lost_ = 0;
@@ -183,7 +198,7 @@ ImportedMesh read(const std::filesystem::path& file, FileFormat format, const st
   const double metres_per_unit = metres_per_unit_of(document, unit, file.string());
   ImportedMesh cad;
   cad.unit = unit.empty() ? document.unit : unit;
-  Builder builder;
+  Builder builder(wanted.curved);
   TopTools_MapOfShape known;
   for (const CadPart& part : cad_parts(document, file.string())) {
     const double chord = chord_tolerance(part.body, wanted, metres_per_unit);

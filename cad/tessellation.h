@@ -9,6 +9,7 @@ struct Tessellation {
   double relative = 1e-3;          // chord tolerance over the diagonal of the part's box [1]
   std::optional<double> absolute;  // chord tolerance [m]; where it is given it counts instead
   double angle_deg = 8.0;          // [deg]
+  bool curved = true;              // whether facets are to know the surfaces that they stand for
 };
 
 }  // namespace lrcs

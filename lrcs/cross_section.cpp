@@ -85,7 +85,8 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     result.seen_fraction[k] = seen[k].value;
     if (const std::uint32_t place = target.curved.place_of(k); place != CurvedSurface::none) {
       const CurvedReturn& c = curved[place];
-      result.seen_fraction[k] = c.lit_seen / target.curved.facets()[place].area;
+      const double whole = target.curved.facets()[place].area;
+      result.seen_fraction[k] = whole > 0.0 ? std::clamp(c.lit_seen / whole, 0.0, 1.0) : 0.0;
       result.facet_sigma[k] = 4.0 * std::numbers::pi * c.returned;
       sigma.add(result.facet_sigma[k]);
       seen_area.add(c.seen_area);

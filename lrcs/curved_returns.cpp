@@ -118,12 +118,20 @@ class Looking {
     for (const SeenMiddle& middle : middles) {
       const std::uint32_t place = target.curved.place_of(middle.facet);
       if (place == CurvedSurface::none) continue;
-      for (std::size_t c = 0; c < 3; ++c) tilts_[place][c] = (middle.at[c] - 1.0 / 3.0) / variance;
+      Tilt& tilt = tilts_[place];
+      for (std::size_t c = 0; c < 3; ++c) tilt[c] = (middle.at[c] - 1.0 / 3.0) / variance;
+      // No place counts less than nothing.
+      double least = 0.0;
+      for (const auto& at : patch_rule().at)
+        least = std::min(least, tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2]);
+      if (least < -1.0)
+        for (double& t : tilt) t /= -least;
     }
   }
 
   template <class Model, class Pair>
-  CurvedReturn at(const Facet& facet, const Model& model, const Pair& pair) const {
+  CurvedReturn at(const Facet& facet, const Model& model_seen, const Pair& pair_seen, const Model& unseen,
+                  const Pair& pair_unseen) const {
     CurvedReturn sum;
     // Rounding does not matter: what is cut where it need not be is cut at its rim.
     const Range of_i = facing(facet, wi_), of_r = facing(facet, wr_);
@@ -133,6 +141,8 @@ class Looking {
       if (!may_face(facet, side)) continue;
       const Estimate fraction = fraction_of(facet, side);
       if (fraction.value == 0.0 && fraction.bound == 0.0) continue;
+      const Model& model = fraction.value > 0.0 ? model_seen : unseen;
+      const Pair& pair = fraction.value > 0.0 ? pair_seen : pair_unseen;
       CurvedReturn here;
       if (whole || facet.folded || facet.planar)
         add_whole(facet, side, model, pair, here);
@@ -285,8 +295,8 @@ class Looking {
       sum.lower += lower * value;
       sum.lit_seen += weight * patch.area[k];
       sum.seen_area += weight * patch.area[k] * cos_r;
-      sum.bound += weight * std::abs(value) * (least > model_error ? model_error / least : 1.0) +
-                   (value != 0.0 ? weight * std::abs(patch.area[k]) * lobe_error(pair, n) : 0.0);
+      sum.bound += std::abs(weight * value) * (least > model_error ? model_error / least : 1.0) +
+                   (value != 0.0 ? std::abs(weight * patch.area[k]) * lobe_error(pair, n) : 0.0);
     }
   }
 
@@ -328,8 +338,14 @@ std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const E
     std::visit(
         [&](const auto& model) {
           const auto pair = model.for_pair(to_transmitter, to_receiver);
+          // Never asks for what was not measured: of facets that only rounding may make visible, and of what is black.
+          const auto& unseen = supposed(model);
+          const auto pair_unseen = unseen.for_pair(to_transmitter, to_receiver);
+          const bool black = returns_nothing(target.materials[m]);
           for (std::size_t k = 0; k < facets.size(); ++k)
-            if (target.material[facets[k].facet] == m) returns[k] = looking.at(facets[k], model, pair);
+            if (target.material[facets[k].facet] == m)
+              returns[k] = black ? looking.at(facets[k], unseen, pair_unseen, unseen, pair_unseen)
+                                 : looking.at(facets[k], model, pair, unseen, pair_unseen);
         },
         target.materials[m].brdf);
   return returns;

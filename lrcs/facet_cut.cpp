@@ -87,15 +87,17 @@ void FacetCut::add_between(const OutlineEdge& edge, const FacetPoint& a, int cor
   add(a, corner_a, b, corner_b, edge.gain, slack);
 }
 
-// Of the pieces from `first` on, all of one edge: in u only, so that layers stay the same at every height. The outline
-// lies beside the edge, and the facet's own surface rises over it: seen askew, what lies under the outline is another
-// place of it.
+// Of the pieces from `first` on, all of one edge: in u or v only, so that layers stay the same at every height. The
+// outline lies beside the edge, and the facet's own surface rises over it: seen askew, what lies under the outline is
+// another place of it.
 void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetPoint& high, std::size_t first) {
-  const double rise = high.v - low.v, slope = (high.u - low.u) / rise;
+  const double run = high.u - low.u, rise = high.v - low.v;
+  const bool in_v = std::abs(run) > std::abs(rise);
+  const double slope = in_v ? rise / run : run / rise;
   if (!std::isfinite(slope)) return;
   const auto beside = [&](const Vec3& by) {
     const Eigen::Vector2d step = frame_.step(by);
-    return step.x() - slope * step.y();
+    return in_v ? step.y() - slope * step.x() : step.x() - slope * step.y();
   };
   const double at_low = beside(edge.bend.at_low), at_high = beside(edge.bend.at_high);
   const FacetRise own(surface_->occluders, facet_);
@@ -108,13 +110,15 @@ void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetP
     if (!(over.from < over.to)) continue;
     const auto at = [&](double share) {
       const double u = piece.u0 + share * (piece.u1 - piece.u0), v = piece.v0 + share * (piece.v1 - piece.v0);
-      return at_low + (v - low.v) / rise * (at_high - at_low) - rising * own.at(u, v);
+      const double along = in_v ? (u - low.u) / run : (v - low.v) / rise;
+      return at_low + along * (at_high - at_low) - rising * own.at(u, v);
     };
     // The line with the same area beside the piece, from where it comes over the facet to where it leaves it.
     const double begin = at(over.from), middle = at(0.5 * (over.from + over.to)), end = at(over.to);
     const double more = 2.0 / 3.0 * (middle - 0.5 * (begin + end)), slant = (end - begin) / (over.to - over.from);
     piece.bend0 = begin + more - over.from * slant;
     piece.bend1 = piece.bend0 + slant;
+    piece.bends_in_v = in_v;
   }
 }
 

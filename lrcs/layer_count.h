@@ -11,7 +11,8 @@ namespace lrcs {
 struct LayerEdge {
   double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;  // ends, in any order
   int step = 0;                                   // layers gained where the edge is crossed toward larger u
-  double bend0 = 0.0, bend1 = 0.0;                // how far in u the outline of a curved surface lies beside the ends
+  double bend0 = 0.0, bend1 = 0.0;  // how far beside the ends the outline of a curved surface lies: in u, or
+  bool bends_in_v = false;          // in v, of edges that run along u rather
 };
 
 // Counts the layers that lie over a facet, from their outlines alone, and measures where there are none.

@@ -46,7 +46,8 @@ Vec3 to_fold(const Beside& one, const Beside& other, const Vec3& n, const Vec3& 
   const Vec3 along = toward - lean * n;
   const double curvature = 0.5 * (one.curvature(along) + other.curvature(along));
   // Further than two facets away it is not this edge that stands for it.
-  if (!(curvature * 2.0 * reach > std::abs(lean))) return Vec3::Zero();
+  // A sheet may be wound either way: then the normal and the curvature have the other sign.
+  if (!(std::abs(curvature) * 2.0 * reach > std::abs(lean))) return Vec3::Zero();
   return 0.5 * lean * lean / curvature * n;
 }
 
@@ -71,7 +72,9 @@ OutlineBend outline_bend(const Occluders& occluders, const OccluderEdges::Edge& 
     const Vec3 n = (one.low + one.high).normalized(), m = (other.low + other.high).normalized();
     const double cosine = n.dot(m), rest = 1.0 - cosine * cosine;
     const double along_n = one.sagitta(a, b), along_m = other.sagitta(a, b);
-    at_middle = ((along_n - cosine * along_m) * n + (along_m - cosine * along_n) * m) / rest;
+    constexpr double sharp = 0.01;  // nearly tangent, or a thin edge: the two rises say the same
+    at_middle = rest > sharp ? Vec3(((along_n - cosine * along_m) * n + (along_m - cosine * along_n) * m) / rest)
+                             : Vec3(0.5 * (along_n * n + along_m * m));
   }
   const Vec3 more = 2.0 / 3.0 * (at_middle - 0.5 * (at_low + at_high));
   const OutlineBend bend{across(at_low + more, toward), across(at_high + more, toward)};

@@ -152,7 +152,9 @@ LoadedTarget load_target(const Scene& scene) {
   LoadedTarget loaded;
   Target& target = loaded.target;
   loaded.digest = digest_of_file(scene.target.file);
-  TargetRead read = read_target(scene.target.file, scene.target.unit, scene.target.tessellation);
+  Tessellation tessellation = scene.target.tessellation;
+  tessellation.curved = scene.target.curved;
+  TargetRead read = read_target(scene.target.file, scene.target.unit, tessellation);
   if (read.unit.empty())
     throw InputError(scene.target.place,
                      fmt::format("'{}' says no unit that is known here, expected the key or flag for it: one of {}",
@@ -161,7 +163,6 @@ LoadedTarget load_target(const Scene& scene) {
   loaded.unit = read.unit;
   loaded.tessellation = read.tessellation;
   loaded.warnings = read.warnings;
-  if (!scene.target.curved) target.mesh.curved = {};
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
   target.curved = CurvedSurface(target.mesh);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "lrcs/facet_rise.h"
 #include "lrcs/facet_view.h"
 #include "lrcs/layer_walk.h"
 #include "lrcs/never_faced.h"
@@ -25,7 +26,7 @@ struct Visibility::Scratch {
   const Surface& surface;
   std::array<LayerWalk, 2> walks;  // one a viewer
   std::vector<std::uint8_t> wanted;
-  std::vector<LayerEdge> edges;
+  std::vector<LayerEdge> edges, turned;
   LayerCount count;
   std::optional<FacetView> clipping;
   std::vector<Vec3> viewers;
@@ -36,7 +37,9 @@ struct Visibility::Scratch {
   void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
   void find_wanted();
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
-  bool bend_outlines();
+  void add_turned(const LayerEdge& e);
+  std::array<double, 2> bend_outlines(double straight, double error, int base);
+  [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
   void note_middle(std::uint32_t facet, double error, int base);
   [[nodiscard]] double error_by_doubtful(std::uint32_t facet) const;
   [[nodiscard]] Estimate clipped(std::uint32_t facet);
@@ -72,15 +75,39 @@ double Visibility::Scratch::error_by_doubtful(std::uint32_t facet) const {
   return error;
 }
 
-// Moves edges to where outlines of curved surfaces are. False: none is to be moved.
-bool Visibility::Scratch::bend_outlines() {
-  bool any = false;
-  for (LayerEdge& e : edges) {
-    any = any || e.bend0 != 0.0 || e.bend1 != 0.0;
-    e.u0 += e.bend0;
-    e.u1 += e.bend1;
+// With u and v in each other's place. Edges below the facet are not known, so what is below its side v = 0 is left out,
+// and where an edge goes on there a line along the side takes over from it. `e`: v0 <= v1.
+void Visibility::Scratch::add_turned(const LayerEdge& e) {
+  if (e.v1 <= 0.0) return;
+  LayerEdge upper = e;
+  if (e.v0 < 0.0) {
+    const double share = e.v0 / (e.v0 - e.v1);
+    upper.u0 = e.u0 + share * (e.u1 - e.u0), upper.v0 = 0.0;
+    upper.bend0 = e.bend0 + share * (e.bend1 - e.bend0);
+    turned.push_back({0.0, upper.u0, 0.0, 2.0, e.step});
   }
-  return any;
+  const double bend0 = e.bends_in_v ? upper.bend0 : 0.0, bend1 = e.bends_in_v ? upper.bend1 : 0.0;
+  // What is gained toward larger u is lost toward larger v where the edge rises to the right.
+  turned.push_back({upper.v0 + bend0, upper.u0, upper.v1 + bend1, upper.u1, upper.u1 > upper.u0 ? -e.step : e.step});
+}
+
+// How moving edges to where outlines of curved surfaces are changes the fraction: those moved along u, and those along
+// v, for which u and v change places. The former stay moved.
+std::array<double, 2> Visibility::Scratch::bend_outlines(double straight, double error, int base) {
+  bool any_in_u = false, any_in_v = false;
+  turned.clear();
+  for (LayerEdge& e : edges) {
+    add_turned(e);
+    const bool bends = e.bend0 != 0.0 || e.bend1 != 0.0;
+    if (bends && e.bends_in_v) {
+      any_in_v = true;
+    } else if (bends) {
+      any_in_u = true;
+      e.u0 += e.bend0, e.u1 += e.bend1;
+    }
+  }
+  return {any_in_u ? 2.0 * count.uncovered_area(edges, error, base) - straight : 0.0,
+          any_in_v ? 2.0 * count.uncovered_area(turned, error, base) - straight : 0.0};
 }
 
 void Visibility::Scratch::note_middle(std::uint32_t facet, double error, int base) {
@@ -116,20 +143,32 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   double fraction = 2.0 * count.uncovered_area(edges, error, base);
   if (count.went_negative()) return std::nullopt;
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
-  if (bend_outlines()) {
-    const double bent = 2.0 * count.uncovered_area(edges, error, base);
-    bound += bend_doubt * std::abs(bent - fraction);
-    fraction = bent;
+  if (is_curved()) {
+    const auto [in_u, in_v] = bend_outlines(fraction, error, base);
+    bound += bend_doubt * (std::abs(in_u) + std::abs(in_v));
+    fraction += in_u + in_v;
   }
-  if (!surface.occluders.corner_normals.empty() && fraction > 0.0 && fraction < 1.0) note_middle(facet, error, base);
-  return Estimate{std::clamp(fraction, 0.0, 1.0), bound};
+  if (is_curved() && fraction > 0.0 && fraction < 1.0) note_middle(facet, error, base);
+  return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};
 }
 
 Estimate Visibility::Scratch::clipped(std::uint32_t facet) {
   if (!clipping) clipping.emplace(surface.occluders, surface.tree);
   if (!clipping_looks) clipping->look_along(viewers);
   clipping_looks = true;
-  return clipping->seen_fraction(facet);
+  Estimate seen = clipping->seen_fraction(facet);
+  if (is_curved() && seen.value > 0.0 && seen.value < 1.0) {
+    // Clipped against flat facets: off by what the surface rises along the facet's sides.
+    const FacetRise rise(surface.occluders, facet);
+    const auto& e = surface.occluders;
+    double most = 0.0, reach = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most = std::max(most, std::abs(rise.sagittas[k]));
+      reach = std::max(reach, (e.positions[e.facets[facet][(k + 1) % 3]] - e.positions[e.facets[facet][k]]).norm());
+    }
+    seen.bound = std::min(1.0, seen.bound + 8.0 * most * reach / e.cross[facet].norm());
+  }
+  return seen;
 }
 
 Visibility::Visibility(const FacetMesh& mesh) : facets_(mesh.size()), surface_(std::make_unique<const Surface>(mesh)) {}

@@ -144,5 +144,16 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);
 }
 
+TEST(LoadTarget, TakesCadSurfacesAsCurvedUnlessToldNotTo) {
+  Scene scene = read_scene(std::filesystem::path(LRCS_EXAMPLES) / "as1" / "scene.yaml");
+  const LoadedTarget curved = load_target(scene);
+  EXPECT_GT(curved.target.curved.facets().size(), 1000U);
+  EXPECT_LT(curved.target.curved.facets().size(), curved.target.mesh.size());
+  scene.target.curved = false;
+  const LoadedTarget flat = load_target(scene);
+  EXPECT_TRUE(flat.target.curved.empty());
+  EXPECT_EQ(flat.target.mesh.facets, curved.target.mesh.facets);
+}
+
 }  // namespace
 }  // namespace lrcs

@@ -20,6 +20,7 @@ target:
   up: +z
   sides: both                   # a facet reflects from whichever side is seen; front: from its outward side only
   repair: auto                  # weld, drop degenerate and duplicate facets, orient closed parts outward; none: as given
+  curved: auto                  # of CAD surfaces: integrated over the true surface; none: over its flat facets
   chord_tolerance: 1e-3         # of CAD surfaces: how far facets may lie off them, of a part's size, or a length (0.1 mm)
   chord_angle: 8                # the same: how far they may turn from edge to edge [deg]
 materials:
@@ -63,6 +64,7 @@ TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   EXPECT_EQ(scene.target.up, "+z");
   EXPECT_EQ(scene.target.sides, Sides::both);
   EXPECT_TRUE(scene.target.repair);
+  EXPECT_TRUE(scene.target.curved);
   ASSERT_EQ(scene.materials.size(), 3U);
   EXPECT_EQ(scene.materials[0].name, "skin");
   EXPECT_EQ(scene.materials[0].wavelength, 1.06e-6);
