@@ -20,6 +20,7 @@
 #include "mesh/repair.h"
 #include "tests/cad/curved_reference.h"
 #include "tests/cad/made_cad.h"
+#include "tests/scratch_folder.h"
 
 namespace lrcs {
 namespace {
@@ -29,7 +30,8 @@ constexpr std::size_t most_facets = 20000;
 
 // Written as STEP, read as a user's file is.
 Target target_of(const TopoDS_Shape& shape, double angle_deg, bool curved = true) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "curved_sections_test.step";
+  const ScratchFolder folder;
+  const auto file = folder.path() / "body.step";
   MadeCad cad;
   cad.product(shape, "body");
   cad.write_step(file);
@@ -40,7 +42,6 @@ Target target_of(const TopoDS_Shape& shape, double angle_deg, bool curved = true
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, "+x", "+z");
   target.curved = CurvedSurface(target.mesh);
   target.material.assign(target.mesh.size(), 0);
-  std::filesystem::remove(file);
   return target;
 }
 
