@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cad/fitted_facets.h"
+#include "mesh/facet_mesh.h"
+
 namespace lrcs {
 namespace {
 
@@ -31,10 +34,6 @@ Vec3 vec3(const gp_Vec& v) {
   return {v.X(), v.Y(), v.Z()};
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 bool is_planar(const CurvedPatch& patch, const Vec3& flat) {
   const double area = flat.norm();
   for (std::size_t k = 0; k < PatchRule::size; ++k)
@@ -43,10 +42,12 @@ bool is_planar(const CurvedPatch& patch, const Vec3& flat) {
 }
 
 // Whether a patch may stand over its facet: a file's parameters may say something else than its points.
-bool is_near(const CurvedPatch& patch, const Vec3& flat, double longest) {
+bool is_near(const CurvedPatch& patch, const Vec3& flat, const std::array<Vec3, 3>& corners) {
+  double longest2 = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) longest2 = std::max(longest2, (corners[(k + 1) % 3] - corners[k]).squaredNorm());
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < PatchRule::size; ++k) sum += patch_rule().weight[k] * patch.area[k] * patch.normal[k];
-  return (sum - flat).norm() <= 0.25 * longest * longest;
+  return (sum - flat).norm() <= 0.25 * longest2;
 }
 
 bool is_finite(const CurvedPatch& patch) {
@@ -168,15 +169,6 @@ CurvedFace::Mapped CurvedFace::map_at_pole(const std::array<int, 3>& nodes, std:
   return {at, by_along / (1.0 - rise), by_rise};
 }
 
-double CurvedFace::longest_side(const std::array<int, 3>& nodes) const {
-  double longest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Uv a = uv(nodes[k]), b = uv(nodes[(k + 1) % 3]);
-    longest = std::max(longest, surface_.Value(a.x(), a.y()).Distance(surface_.Value(b.x(), b.y())));
-  }
-  return longest;
-}
-
 // The derivatives by both parameters, one across the other.
 Vec3 CurvedFace::across(const Uv& at) const {
   gp_Pnt point;
@@ -218,8 +210,9 @@ double CurvedFace::plane_area(const std::array<int, 3>& nodes) const {
   return 0.5 * twice;
 }
 
-std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const Vec3& flat) const try {
+std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const std::array<Vec3, 3>& corners) const try {
   if (!known_) return std::nullopt;
+  const Vec3 flat = 0.5 * facet_cross(corners[0], corners[1], corners[2]);
   const std::array<int, 3> nodes{a, b, c};
   std::size_t poles = 0, pole = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -243,7 +236,7 @@ std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const Vec3& fl
     const double share = pole_area(nodes, pole) / sum;
     for (double& area : patch.area) area *= share;
   }
-  if (!is_finite(patch) || is_planar(patch, flat) || !is_near(patch, flat, longest_side(nodes))) return std::nullopt;
+  if (!is_finite(patch) || is_planar(patch, flat) || !is_near(patch, flat, corners)) return std::nullopt;
   return patch;
 } catch (const Standard_Failure&) {
   return std::nullopt;

@@ -26,9 +26,9 @@ class CurvedFace {
   CurvedFace() = default;
 
   // Of the facet of three nodes of the triangulation, in its order there; places of the patch go by the facet's
-  // corners: (a, b, c), or (a, c, b) of a turned face. flat: the facet's area vector. Nothing where the facet is the
+  // corners: (a, b, c), or (a, c, b) of a turned face. corners: where these are. Nothing where the facet is the
   // surface itself, to 1e-12 of its normal and area, or where the surface cannot be had.
-  [[nodiscard]] std::optional<CurvedPatch> patch(int a, int b, int c, const Vec3& flat) const;
+  [[nodiscard]] std::optional<CurvedPatch> patch(int a, int b, int c, const std::array<Vec3, 3>& corners) const;
 
   // Where the surface is a point at a node: the parameter, 0 or 1, along which it is; else -1.
   [[nodiscard]] int pole_of(int node) const { return poles_.empty() ? -1 : poles_[static_cast<std::size_t>(node)]; }
@@ -61,7 +61,6 @@ class CurvedFace {
   [[nodiscard]] Mapped map_at_pole(const std::array<int, 3>& nodes, std::size_t pole,
                                    const std::array<double, 3>& place) const;
   [[nodiscard]] double pole_area(const std::array<int, 3>& nodes, std::size_t pole) const;
-  [[nodiscard]] double longest_side(const std::array<int, 3>& nodes) const;
   [[nodiscard]] Vec3 across(const Uv& at) const;
   [[nodiscard]] double plane_area(const std::array<int, 3>& nodes) const;
 

@@ -15,10 +15,6 @@ namespace {
 using Uv = Eigen::Vector2d;
 using Edge = std::pair<int, int>;
 
-double cross(const Uv& a, const Uv& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // Whether a surface curves the same way in all directions, of like size: k1 k2 (k1 + k2)^2 / 4 are the determinant and
 // half the trace of its curvature, squared. l, m, n: second derivatives along the normal, of any length.
 bool bulges(const gp_Vec& by_u, const gp_Vec& by_v, double l, double m, double n) {

@@ -14,6 +14,11 @@ struct FaceNode {
   int pole = -1;  // where the surface is a point: the parameter (0, 1) along which it is; else -1
 };
 
+// Twice the area between two steps in the parameters, signed.
+[[nodiscard]] inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 using NodeTriples = std::vector<std::array<int, 3>>;
 
 // Makes facets of a face fit for integrals over its surface, and adds the nodes that it needs, which lie within the

@@ -118,7 +118,7 @@ class Builder {
       std::array<std::uint32_t, 3> facet{number(a), number(b), number(c)};
       if (turn) std::swap(facet[1], facet[2]);
       const auto at = [&](std::size_t k) { return builder_.position(facet[k]); };
-      add_patch(curved.patch(a + 1, b + 1, c + 1, 0.5 * facet_cross(at(0), at(1), at(2))));
+      add_patch(curved.patch(a + 1, b + 1, c + 1, {at(0), at(1), at(2)}));
       facets_.push_back(facet);
     }
     builder_.add_facets(facets_);

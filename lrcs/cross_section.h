@@ -22,7 +22,7 @@ struct Target {
   std::vector<Material> materials;
   std::vector<std::uint32_t> material;
   Sides sides = Sides::both;
-  CurvedSurface curved{};  // of the mesh; empty: its curved facets are taken as flat
+  CurvedSurface curved{};  // of the mesh; empty where mesh.curved is
 };
 
 // Laser radar cross section of a target for one pair of directions.

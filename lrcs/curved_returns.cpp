@@ -163,8 +163,7 @@ class Looking {
   using Tilt = std::array<double, 3>;
 
   [[nodiscard]] Tilt tilt_of(const Facet& facet, double side) const {
-    if (tilts_.empty() || !faces(facet.facet, side)) return {};
-    return tilts_[target_.curved.place_of(facet.facet)];
+    return faces(facet.facet, side) ? tilts_[target_.curved.place_of(facet.facet)] : Tilt{};
   }
 
   struct Range {
@@ -333,6 +332,7 @@ std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const E
                                          const Vec3& to_receiver) {
   const auto& facets = target.curved.facets();
   std::vector<CurvedReturn> returns(facets.size());
+  if (facets.empty()) return returns;
   const Looking looking(target, seen, middles, to_transmitter, to_receiver);
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     std::visit(

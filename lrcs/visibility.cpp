@@ -38,9 +38,10 @@ struct Visibility::Scratch {
   void find_wanted();
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
   void add_turned(const LayerEdge& e);
-  std::array<double, 2> bend_outlines(double straight, double error, int base);
+  double change_by_bends_in_v(double straight, double error, int base);
+  double change_by_bends_in_u(double straight, double error, int base);
   [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
-  void note_middle(std::uint32_t facet, double error, int base);
+  void note_middle(std::uint32_t facet, double area);
   [[nodiscard]] double error_by_doubtful(std::uint32_t facet) const;
   [[nodiscard]] Estimate clipped(std::uint32_t facet);
 };
@@ -91,27 +92,26 @@ void Visibility::Scratch::add_turned(const LayerEdge& e) {
   turned.push_back({upper.v0 + bend0, upper.u0, upper.v1 + bend1, upper.u1, upper.u1 > upper.u0 ? -e.step : e.step});
 }
 
-// How moving edges to where outlines of curved surfaces are changes the fraction: those moved along u, and those along
-// v, for which u and v change places. The former stay moved.
-std::array<double, 2> Visibility::Scratch::bend_outlines(double straight, double error, int base) {
-  bool any_in_u = false, any_in_v = false;
+// How moving edges along v to where outlines of curved surfaces are changes the area that is seen: u and v change
+// places.
+double Visibility::Scratch::change_by_bends_in_v(double straight, double error, int base) {
+  if (std::ranges::none_of(edges,
+                           [](const LayerEdge& e) { return e.bends_in_v && (e.bend0 != 0.0 || e.bend1 != 0.0); }))
+    return 0.0;
   turned.clear();
-  for (LayerEdge& e : edges) {
-    add_turned(e);
-    const bool bends = e.bend0 != 0.0 || e.bend1 != 0.0;
-    if (bends && e.bends_in_v) {
-      any_in_v = true;
-    } else if (bends) {
-      any_in_u = true;
-      e.u0 += e.bend0, e.u1 += e.bend1;
-    }
-  }
-  return {any_in_u ? 2.0 * count.uncovered_area(edges, error, base) - straight : 0.0,
-          any_in_v ? 2.0 * count.uncovered_area(turned, error, base) - straight : 0.0};
+  for (const LayerEdge& e : edges) add_turned(e);
+  return count.uncovered_area(turned, error, base) - straight;
 }
 
-void Visibility::Scratch::note_middle(std::uint32_t facet, double error, int base) {
-  const double area = count.uncovered_area(edges, error, base, true);
+// The same along u: these stay moved, and the count knows the middle of what is seen.
+double Visibility::Scratch::change_by_bends_in_u(double straight, double error, int base) {
+  for (LayerEdge& e : edges)
+    if (!e.bends_in_v) e.u0 += e.bend0, e.u1 += e.bend1;
+  return count.uncovered_area(edges, error, base, true) - straight;
+}
+
+// area: of what is seen, the last that was counted.
+void Visibility::Scratch::note_middle(std::uint32_t facet, double area) {
   if (!(area > 0.0)) return;
   const Eigen::Vector2d uv = count.moments() / area;
   std::array<double, 3> at{1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
@@ -140,15 +140,17 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   if (hidden || error == 0.0) return Estimate{hidden ? 0.0 : 1.0, std::min(1.0, 16.0 * left_out)};
   error = std::max(error, left_out);
   if (error >= LayerWalk::hardly_known) return std::nullopt;
-  double fraction = 2.0 * count.uncovered_area(edges, error, base);
+  const double straight = count.uncovered_area(edges, error, base);
   if (count.went_negative()) return std::nullopt;
+  double fraction = 2.0 * straight;
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
   if (is_curved()) {
-    const auto [in_u, in_v] = bend_outlines(fraction, error, base);
-    bound += bend_doubt * (std::abs(in_u) + std::abs(in_v));
-    fraction += in_u + in_v;
+    const double in_v = change_by_bends_in_v(straight, error, base);
+    const double in_u = change_by_bends_in_u(straight, error, base);
+    bound += bend_doubt * 2.0 * (std::abs(in_u) + std::abs(in_v));
+    fraction += 2.0 * (in_u + in_v);
+    if (fraction > 0.0 && fraction < 1.0) note_middle(facet, straight + in_u);
   }
-  if (is_curved() && fraction > 0.0 && fraction < 1.0) note_middle(facet, error, base);
   return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};
 }
 
