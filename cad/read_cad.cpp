@@ -198,7 +198,7 @@ ImportedMesh read(const std::filesystem::path& file, FileFormat format, const st
   const double metres_per_unit = metres_per_unit_of(document, unit, file.string());
   ImportedMesh cad;
   cad.unit = unit.empty() ? document.unit : unit;
-  Builder builder(wanted.curved);
+  Builder builder(wanted.curving.by == Curving::By::cad_surfaces);
   TopTools_MapOfShape known;
   for (const CadPart& part : cad_parts(document, file.string())) {
     const double chord = chord_tolerance(part.body, wanted, metres_per_unit);

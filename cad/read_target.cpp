@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -60,15 +61,43 @@ TargetRead read_contained(const std::filesystem::path& file, FileFormat format, 
   return {std::move(imported.mesh), imported.unit, surfaces ? said(wanted) : "", std::move(imported.warnings)};
 }
 
-}  // namespace
+double diagonal_of(const FacetMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& facet : mesh.facets)
+    for (const std::uint32_t corner : facet) box.extend(mesh.positions[corner]);
+  return box.isEmpty() ? 0.0 : mesh.metres_per_unit * box.diagonal().stableNorm();
+}
 
-TargetRead read_target(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
+// What lidar looks at is larger than a grain and smaller than a mountain: else the unit may be another.
+void doubt_unit(TargetRead& read) {
+  constexpr double least = 1e-3, most = 1e3;                // [m]
+  constexpr double usual_least = 1e-2, usual_most = 200.0;  // [m]
+  const double size = diagonal_of(read.mesh);
+  if (read.unit.empty() || size == 0.0 || (size >= least && size <= most)) return;
+  std::vector<std::string> others;
+  for (const char* unit : {"mm", "cm", "inch", "ft", "m"}) {
+    const double in_unit = size / read.mesh.metres_per_unit * metres_in(unit);
+    if (in_unit >= usual_least && in_unit <= usual_most) others.push_back(fmt::format("{:.3g} m in {}", in_unit, unit));
+  }
+  read.warnings.push_back(fmt::format("the target is {:.3g} m across in {}: is that its unit?{}", size, read.unit,
+                                      others.empty() ? "" : fmt::format(" It would be {}", fmt::join(others, ", "))));
+}
+
+TargetRead read_any(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
   if (const auto format = foreign_format_of(file)) return read_contained(file, *format, unit, tessellation);
   TargetRead target;
   target.mesh = read_mesh(file);
   target.unit = unit;
   if (!unit.empty()) target.mesh.metres_per_unit = metres_in(unit);
   return target;
+}
+
+}  // namespace
+
+TargetRead read_target(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
+  TargetRead read = read_any(file, unit, tessellation);
+  doubt_unit(read);
+  return read;
 }
 
 }  // namespace lrcs

@@ -20,6 +20,7 @@ struct Common {
 void add_sweep_command(CLI::App& app, Common& common);
 void add_check_command(CLI::App& app, Common& common);
 void add_info_command(CLI::App& app, Common& common);
+void add_repair_command(CLI::App& app, Common& common);
 void add_brdf_commands(CLI::App& app, Common& common);
 void add_fit_command(CLI::App& app, Common& common);
 

@@ -129,8 +129,9 @@ void SceneFlags::add_to(CLI::App& verb) {
   add("--up", up, "File axis that is up (default +z; glTF: +y)")->check(axis);
   add("--sides", sides, "Sides that reflect (default both)")->check(one_of({"both", "front"}));
   add("--repair", repair, "Repair the mesh (default auto)")->check(one_of({"auto", "none"}));
-  add("--curved", curved, "Integrate over CAD surfaces themselves (auto, the default) or over flat facets (none)")
-      ->check(one_of({"auto", "none"}));
+  add("--curved", curved,
+      "Integrate over CAD surfaces themselves (auto, the default), over flat facets (none), or over smooth surfaces "
+      "through the facets' corners but where facets turn by more than an angle [deg] (crease:ANGLE)");
   add("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL... [deg]");
 }
 
@@ -165,7 +166,7 @@ Scene scene_from_flags(const std::string& target, const SceneFlags& flags) {
     throw InputError(
         fmt::format("--up: expected another axis than --forward {}, found {}", scene.target.forward, scene.target.up));
   scene.target.repair = flags.repair == "auto";
-  scene.target.curved = flags.curved == "auto";
+  scene.target.tessellation.curving = curving_from_words(flags.curved, Place{"--curved"});
   scene.target.sides = flags.sides == "front" ? Sides::front : Sides::both;
   scene.wavelength = wavelength_from(flags);
   scene.materials = {material_from_argument(flags.material)};

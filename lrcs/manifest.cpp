@@ -21,7 +21,7 @@ Json target_json(const Scene& scene, const LoadedTarget& loaded) {
           {"sides", scene.target.sides == Sides::front ? "front" : "both"},
           {"facets", loaded.target.mesh.size()},
           {"repair", scene.target.repair ? "auto" : "none"},
-          {"curved", scene.target.curved ? "auto" : "none"},
+          {"curved", text_of(scene.target.tessellation.curving)},
           {"curved_facets", loaded.target.curved.facets().size()},
           {"repaired",
            {{"welded_vertices", r.welded_vertices},

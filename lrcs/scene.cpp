@@ -43,7 +43,8 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
     node.at(node.has("up") ? "up" : "forward")
         .fail(fmt::format("expected forward and up along different axes, found {} and {}", target.forward, target.up));
   if (node.has("sides") && node.at("sides").one_of({"both", "front"}) == "front") target.sides = Sides::front;
-  if (node.has("curved")) target.curved = node.at("curved").one_of({"auto", "none"}) == "auto";
+  if (node.has("curved"))
+    target.tessellation.curving = curving_from_words(node.at("curved").text(), node.at("curved").place());
   if (node.has("repair")) target.repair = node.at("repair").one_of({"auto", "none"}) == "auto";
   return target;
 }

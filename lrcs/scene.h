@@ -30,7 +30,6 @@ struct TargetFile {
   Tessellation tessellation;              // of CAD surfaces
   std::string forward = "+x", up = "+z";  // axes of the file: the user's, else the format's
   bool repair = true;
-  bool curved = true;  // facets of CAD surfaces are integrated as the surface is, not as flat
   Sides sides = Sides::both;
 };
 

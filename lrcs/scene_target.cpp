@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "base/digest.h"
@@ -11,6 +12,8 @@
 #include "base/nearest_name.h"
 #include "cad/read_target.h"
 #include "mesh/body_frame.h"
+#include "mesh/corner_normals.h"
+#include "mesh/normal_patches.h"
 
 namespace lrcs {
 namespace {
@@ -145,6 +148,22 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
   return material;
 }
 
+namespace {
+
+void curve_by_creases(FacetMesh& mesh, double crease_deg, std::vector<std::string>& warnings) {
+  const std::size_t unknown = curve_by_normals(mesh, estimated_normals(mesh, crease_deg * std::numbers::pi / 180.0));
+  if (mesh.curved.patches.empty())
+    warnings.push_back(
+        fmt::format("crease:{} bends no facet: none shares an edge with another that turns by less, or "
+                    "they are not welded (repair: none)",
+                    crease_deg));
+  if (unknown > 0)
+    warnings.push_back(
+        fmt::format("{} facets stay flat: they turn by more than 60 deg within crease:{}", unknown, crease_deg));
+}
+
+}  // namespace
+
 LoadedTarget load_target(const Scene& scene) {
   std::error_code none;
   if (!std::filesystem::exists(scene.target.file, none))
@@ -152,9 +171,7 @@ LoadedTarget load_target(const Scene& scene) {
   LoadedTarget loaded;
   Target& target = loaded.target;
   loaded.digest = digest_of_file(scene.target.file);
-  Tessellation tessellation = scene.target.tessellation;
-  tessellation.curved = scene.target.curved;
-  TargetRead read = read_target(scene.target.file, scene.target.unit, tessellation);
+  TargetRead read = read_target(scene.target.file, scene.target.unit, scene.target.tessellation);
   if (read.unit.empty())
     throw InputError(scene.target.place,
                      fmt::format("'{}' says no unit that is known here, expected the key or flag for it: one of {}",
@@ -165,6 +182,8 @@ LoadedTarget load_target(const Scene& scene) {
   loaded.warnings = read.warnings;
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
+  if (scene.target.tessellation.curving.by == Curving::By::estimated_normals)
+    curve_by_creases(target.mesh, scene.target.tessellation.curving.crease_deg, loaded.warnings);
   target.curved = CurvedSurface(target.mesh);
   target.materials = scene.materials;
   target.sides = scene.target.sides;

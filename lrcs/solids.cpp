@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "lrcs/disjoint_sets.h"
+#include "mesh/disjoint_sets.h"
 #include "lrcs/facet_frame.h"
 #include "lrcs/layer_query.h"
 

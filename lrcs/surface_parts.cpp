@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "lrcs/convexity.h"
-#include "lrcs/disjoint_sets.h"
+#include "mesh/disjoint_sets.h"
 
 namespace lrcs {
 

@@ -3,64 +3,17 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "base/compensated_sum.h"
 #include "mesh/edges.h"
 #include "mesh/enclosure.h"
+#include "mesh/facet_lists.h"
+#include "mesh/winding_sets.h"
 
 namespace lrcs {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
-
-// Disjoint sets of facets that know whether a facet's winding is opposite to that of its set's root.
-class WindingSets {
- public:
-  explicit WindingSets(std::size_t facets) : parent_(facets), opposite_(facets, false), torn_(facets, false) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  std::uint32_t root(std::uint32_t facet) {
-    // Two passes: find the root, then hang every facet of the path under it with its winding relative to the root.
-    std::uint32_t root = facet;
-    bool opposite = false;
-    for (; parent_[root] != root; root = parent_[root]) opposite = opposite != opposite_[root];
-    while (parent_[facet] != root && facet != root) {
-      const std::uint32_t next = parent_[facet];
-      const bool next_opposite = opposite != opposite_[facet];
-      parent_[facet] = root;
-      opposite_[facet] = opposite;
-      facet = next;
-      opposite = next_opposite;
-    }
-    return root;
-  }
-  bool is_opposite(std::uint32_t facet) {
-    root(facet);
-    return opposite_[facet];
-  }
-  // Says that the windings of two facets are the same or opposite. A contradiction tears the set.
-  void join(std::uint32_t a, std::uint32_t b, bool opposite) {
-    const std::uint32_t root_a = root(a);
-    const std::uint32_t root_b = root(b);
-    const bool roots_opposite = (opposite_[a] != opposite_[b]) != opposite;
-    if (root_a == root_b) {
-      if (roots_opposite) torn_[root_a] = true;
-      return;
-    }
-    parent_[root_b] = root_a;
-    opposite_[root_b] = roots_opposite;
-    torn_[root_a] = torn_[root_a] || torn_[root_b];
-  }
-  void tear(std::uint32_t facet) { torn_[root(facet)] = true; }
-  [[nodiscard]] bool is_torn(std::uint32_t facet) { return torn_[root(facet)]; }
-
- private:
-  Indices parent_;
-  std::vector<bool> opposite_;  // to the parent; false for a root
-  std::vector<bool> torn_;      // of a root: not closed, or not orientable
-};
 
 // Tears every set whose windings do not cancel at one of its edges.
 void tear_open_sets(const Edges& edges, WindingSets& sets) {
@@ -104,12 +57,8 @@ void reverse(ClosedShell& shell) {
   shell.volume = -shell.volume;
 }
 
-// Connects facets across edges of two of them, one of which is turned where it must be.
 void join_at_manifold_edges(const Edges& edges, WindingSets& sets) {
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    const auto uses = edges.uses(edge);
-    if (uses.size() == 2) sets.join(uses[0].facet, uses[1].facet, uses[0].rising == uses[1].rising);
-  }
+  sets.join_at_manifold_edges(edges);
 }
 
 // Connects facets across all edges, with the windings that they have.
@@ -142,12 +91,6 @@ void take_shells(const FacetMesh& mesh, Join join, Indices& facets, bool in_one_
     shells.back().in_one_part = in_one_part;
   }
   facets = std::move(left);
-}
-
-std::vector<Indices> facets_of_parts(const FacetMesh& mesh) {
-  std::vector<Indices> parts(mesh.part.names.size());
-  for (std::uint32_t k = 0; k < mesh.size(); ++k) parts[mesh.part.of[k]].push_back(k);
-  return parts;
 }
 
 // Below this, a volume is rounding.

@@ -5,14 +5,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "base/compensated_sum.h"
 #include "mesh/closed_shells.h"
 #include "mesh/edges.h"
+#include "mesh/gaps.h"
+#include "mesh/holes.h"
 #include "mesh/repair.h"
 #include "mesh/weld.h"
+#include "mesh/windings.h"
 
 namespace lrcs {
 namespace {
@@ -93,15 +98,69 @@ bool is_closed(const Edges& edges) {
   return edges.size() > 0;
 }
 
+// Adds one to a defect of the whole and of a part.
+void count(Diagnosis& d, std::size_t Defects::*what, std::uint32_t part) {
+  ++(d.*what);
+  ++(d.parts[part].*what);
+}
+
+// Edges that more than two facets use, of the whole and of each part by itself.
+void count_non_manifold(const FacetMesh& repaired, std::span<const EdgeUse> uses, Diagnosis& d) {
+  if (uses.size() <= 2) return;
+  ++d.non_manifold_edges;
+  std::map<std::uint32_t, std::size_t> by_part;
+  for (const EdgeUse& use : uses) ++by_part[repaired.part.of[use.facet]];
+  for (const auto& [part, used] : by_part) d.parts[part].non_manifold_edges += used > 2 ? 1 : 0;
+}
+
 void count_edges(const FacetMesh& repaired, Diagnosis& d) {
   std::vector<std::uint32_t> all(repaired.size());
   std::iota(all.begin(), all.end(), 0U);
   const Edges edges(repaired, all);
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    d.boundary_edges += edges.uses(edge).size() == 1 ? 1 : 0;
-    d.non_manifold_edges += edges.uses(edge).size() > 2 ? 1 : 0;
+    const auto uses = edges.uses(edge);
+    if (uses.size() == 1) count(d, &Defects::boundary_edges, repaired.part.of[uses[0].facet]);
+    count_non_manifold(repaired, uses, d);
   }
   d.closed = is_closed(edges);
+}
+
+// What is told of the repairs that a mesh would get.
+void count_repairs(const RepairsByPart& repairs, Diagnosis& d) {
+  const auto copy = [](const RepairCounts& from, Defects& to) {
+    to.degenerate = from.degenerate;
+    to.duplicate = from.duplicate;
+    to.flipped = from.flipped;
+    to.inward_shells = from.inward_shells;
+  };
+  copy(repairs.all, d);
+  for (std::size_t p = 0; p < d.parts.size(); ++p) copy(repairs.parts[p], d.parts[p]);
+}
+
+void count_windings(const FacetMesh& repaired, Diagnosis& d) {
+  for (const std::uint32_t facet : opposite_facets(repaired)) count(d, &Defects::opposite, repaired.part.of[facet]);
+  for (const std::uint32_t facet : facets_against_most(repaired))
+    count(d, &Defects::against_most, repaired.part.of[facet]);
+}
+
+void count_gaps(const FacetMesh& repaired, Diagnosis& d) {
+  if (d.boundary_edges == 0) return;
+  for (const Hole& hole : holes(repaired)) count(d, &Defects::holes, repaired.part.of[hole.facet]);
+  const double gap = usual_gap(repaired);
+  const Gaps gaps = find_gaps(repaired, gap);
+  d.gap = gap * repaired.metres_per_unit;
+  d.near_vertices = gaps.near_vertices.size();
+  d.gaps_complete = gaps.complete;
+  for (const TJunction& t : gaps.t_junctions) count(d, &Defects::t_junctions, repaired.part.of[t.facet]);
+}
+
+void count_self_intersections(const FacetMesh& repaired, Diagnosis& d) {
+  d.self_intersections = self_intersections(repaired);
+  const auto& names = repaired.part.names;
+  for (const auto& [parts, pairs] : d.self_intersections.between_parts)
+    d.meeting.push_back({names[parts.first], names[parts.second], pairs});
+  std::stable_sort(d.meeting.begin(), d.meeting.end(),
+                   [](const PartsMeeting& a, const PartsMeeting& b) { return a.facet_pairs > b.facet_pairs; });
 }
 
 void measure_volumes(const FacetMesh& repaired, Diagnosis& d) {
@@ -136,14 +195,14 @@ Diagnosis diagnose(const FacetMesh& mesh) {
   for (const FacetProperty& property : mesh.properties)
     d.properties.push_back(fmt::format("{} ({} values)", property.name, property.values.names.size()));
   FacetMesh repaired = mesh;
-  const RepairCounts counts = repair_connectivity(repaired);
-  d.degenerate = counts.degenerate;
-  d.duplicate = counts.duplicate;
-  d.flipped = counts.flipped;
+  count_repairs(repair_connectivity(repaired), d);
+  d.normals_against = mesh.normals_against;
   count_edges(repaired, d);
+  count_windings(repaired, d);
+  count_gaps(repaired, d);
   measure_volumes(repaired, d);
   drop_degenerate(repaired);
-  d.self_intersections = self_intersections(repaired);
+  count_self_intersections(repaired, d);
   return d;
 }
 

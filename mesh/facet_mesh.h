@@ -36,6 +36,8 @@ struct FacetMesh {
   std::vector<FacetProperty> properties;
   CurvedFacets curved;  // what facets of curved surfaces stand for
 
+  std::size_t normals_against = 0;  // facets whose normal in the file points to the back of their winding, as read
+
   double metres_per_unit = 1.0;  // [m]: scaling the positions would round, and what is coplanar would not stay so
 
   // Set by measure_facets(), and kept true by every function of this folder that changes a mesh.

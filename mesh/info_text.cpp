@@ -46,9 +46,76 @@ std::string self_intersections_text(const SelfIntersections& found) {
                      found.complete ? "" : " (counting stopped)");
 }
 
+std::string boundary_text(const Diagnosis& d, std::string_view length) {
+  std::string text = fmt::format("{} edges", d.boundary_edges);
+  if (d.boundary_edges == 0) return text;
+  text += fmt::format(" round {} holes or sheets", d.holes);
+  if (d.near_vertices + d.t_junctions > 0 || !d.gaps_complete)
+    text += fmt::format("; gaps of at most {:.2g} {}: {}{} pairs of vertices, {} T-junctions", d.gap, length,
+                        d.gaps_complete ? "" : "at least ", d.near_vertices, d.t_junctions);
+  return text;
+}
+
+std::string normals_text(const Diagnosis& d) {
+  return fmt::format("{} of {} point to the back of their facet's winding: the winding is used", d.normals_against,
+                     d.facets);
+}
+
 // "" is a part that the file gives no name.
 std::string shown_name(const std::string& name) {
   return name.empty() ? "(no name)" : name;
+}
+
+// Shown at most, of what there may be many of.
+constexpr std::size_t most_lines = 12;
+
+std::string meeting_text(const std::vector<PartsMeeting>& meeting) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(meeting.size(), most_lines); ++k)
+    text +=
+        fact(k == 0 ? "parts that meet" : "", fmt::format("{} and {}: {} pairs of facets", shown_name(meeting[k].one),
+                                                          shown_name(meeting[k].other), meeting[k].facet_pairs));
+  if (meeting.size() > most_lines) text += fact("", fmt::format("and {} more", meeting.size() - most_lines));
+  return text;
+}
+
+using NamedCount = std::pair<const char*, std::size_t>;
+
+// By the keys of JSON.
+std::vector<NamedCount> counts_of(const Defects& d) {
+  return {{"degenerate", d.degenerate},         {"duplicate", d.duplicate},
+          {"opposite_duplicate", d.opposite},   {"non_manifold_edges", d.non_manifold_edges},
+          {"boundary_edges", d.boundary_edges}, {"holes", d.holes},
+          {"t_junctions", d.t_junctions},       {"flipped", d.flipped},
+          {"inward_shells", d.inward_shells},   {"against_most", d.against_most}};
+}
+
+std::string defects_text(const Defects& defects) {
+  std::string text;
+  for (const auto& [name, count] : counts_of(defects)) {
+    if (count == 0) continue;
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, words);
+  }
+  return text;
+}
+
+// What is wrong with which part, where there are several.
+std::string defects_table(const std::vector<PartDiagnosis>& parts) {
+  if (parts.size() < 2) return "";
+  std::string table;
+  std::size_t shown = 0, more = 0;
+  for (const PartDiagnosis& part : parts) {
+    const std::string text = defects_text(part);
+    if (text.empty()) continue;
+    if (shown++ < 4 * most_lines)
+      table += fmt::format("{}: {}\n", shown_name(part.name), text);
+    else
+      ++more;
+  }
+  if (more > 0) table += fmt::format("and {} parts more\n", more);
+  return table.empty() ? "" : "\nwhat is wrong with parts\n" + table;
 }
 
 // A line of the tree: a part, or what holds parts.
@@ -189,6 +256,13 @@ Json text_or_null(std::string_view text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
+Json defects_json(const Defects& defects, bool with_zeros) {
+  Json json = Json::object();
+  for (const auto& [name, count] : counts_of(defects))
+    if (with_zeros || count > 0) json[name] = count;
+  return json;
+}
+
 Json part_json(const PartDiagnosis& part, bool metres) {
   Json json{{"name", part.name},
             {"facets", part.facets},
@@ -198,6 +272,21 @@ Json part_json(const PartDiagnosis& part, bool metres) {
             {"material", text_or_null(part.file_material)},
             {"colour", text_or_null(part.colour)}};
   if (!part.layer.empty()) json["layer"] = part.layer;
+  if (Json defects = defects_json(part, false); !defects.empty()) json["diagnosis"] = std::move(defects);
+  return json;
+}
+
+Json diagnosis_json(const Diagnosis& d) {
+  Json json = defects_json(d, true);
+  json["near_vertices"] = d.near_vertices;
+  json["gaps_complete"] = d.gaps_complete;
+  json["normals_against_winding"] = d.normals_against;
+  json["self_intersections"] = d.self_intersections.pairs;
+  json["self_intersections_complete"] = d.self_intersections.complete;
+  Json meeting = Json::array();
+  for (const PartsMeeting& m : d.meeting)
+    meeting.push_back({{"parts", {m.one, m.other}}, {"facet_pairs", m.facet_pairs}});
+  json["parts_that_meet"] = std::move(meeting);
   return json;
 }
 
@@ -222,12 +311,14 @@ std::string info_text(const Diagnosis& d, const FileFacts& facts) {
          fact("volume", fmt::format("{:.6g} {}^3 (closed shells)", d.volume, length)) +
          fact("box", size_text(d, length)) + fact("closed", yes_no(d.closed)) +
          fact("degenerate", fmt::format("{} facets", d.degenerate)) +
-         fact("duplicate", fmt::format("{} facets", d.duplicate)) +
+         fact("duplicate", fmt::format("{} facets, and {} in the opposite winding", d.duplicate, d.opposite)) +
          fact("non-manifold", fmt::format("{} edges", d.non_manifold_edges)) +
-         fact("boundary", fmt::format("{} edges", d.boundary_edges)) +
-         fact("flipped", fmt::format("{} facets of closed shells", d.flipped)) +
-         fact("self-intersecting", self_intersections_text(d.self_intersections)) + parts_table(d, length) +
-         assign_block(d);
+         fact("boundary", boundary_text(d, length)) +
+         fact("flipped", fmt::format("{} facets of closed shells ({} shells face inward), {} of open pieces", d.flipped,
+                                     d.inward_shells, d.against_most)) +
+         (d.normals_against == 0 ? "" : fact("normals in the file", normals_text(d))) +
+         fact("self-intersecting", self_intersections_text(d.self_intersections)) + meeting_text(d.meeting) +
+         parts_table(d, length) + defects_table(d.parts) + assign_block(d);
 }
 
 std::string info_json(const Diagnosis& d, const FileFacts& facts) {
@@ -241,14 +332,7 @@ std::string info_json(const Diagnosis& d, const FileFacts& facts) {
                {"box_m", known(metres, box_json(d))},
                {"closed", d.closed},
                {"unit", text_or_null(facts.unit)},
-               {"diagnosis",
-                {{"degenerate", d.degenerate},
-                 {"duplicate", d.duplicate},
-                 {"non_manifold_edges", d.non_manifold_edges},
-                 {"boundary_edges", d.boundary_edges},
-                 {"flipped", d.flipped},
-                 {"self_intersections", d.self_intersections.pairs},
-                 {"self_intersections_complete", d.self_intersections.complete}}},
+               {"diagnosis", diagnosis_json(d)},
                {"parts", parts}};
   if (!d.properties.empty()) json["properties"] = d.properties;
   if (!facts.tessellation.empty()) json["tessellation"] = facts.tessellation;

@@ -19,8 +19,9 @@ struct FileFacts {
 [[nodiscard]] std::string info_text(const Diagnosis& d, const FileFacts& facts);
 
 // The same as JSON, indented, with a line end: facets, vertices, area_m2, volume_m3, box_m, closed, unit, diagnosis,
-// parts; tessellation, warnings and a part's layer where there are any. What is not known is null: the unit and all
-// that needs it, where unit is ""; the volume of an open part; a part's material and colour where the file names none.
+// parts; tessellation, warnings, a part's layer and what is wrong with it where there are any. What is not known is
+// null: the unit and all that needs it, where unit is ""; the volume of an open part; a part's material and colour
+// where the file names none.
 [[nodiscard]] std::string info_json(const Diagnosis& d, const FileFacts& facts);
 
 }  // namespace lrcs

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <sstream>
+#include <system_error>
 
 #include "base/input_error.h"
 #include "base/text_scanner.h"
@@ -21,17 +24,33 @@ void expect(TextScanner& scanner, std::string_view keyword) {
   if (!same_word(word, keyword)) scanner.fail_expected(fmt::format("'{}'", keyword), word);
 }
 
-// "normal" and its three numbers may be missing or nonsense: they are not used.
-void skip_normal(TextScanner& scanner) {
-  std::string_view word = scanner.next_word();
-  for (int k = 0; k < 4 && !same_word(word, "outer"); ++k) word = scanner.next_word();
-  if (!same_word(word, "outer")) scanner.fail_expected("'outer loop'", word);
-  expect(scanner, "loop");
+double number_or_zero(std::string_view word) {
+  double number = 0.0;
+  const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return wrong == std::errc{} && end == word.data() + word.size() && std::isfinite(number) ? number : 0.0;
 }
 
-// From after "facet" to after "endfacet".
-void read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uint32_t>& corners) {
-  skip_normal(scanner);
+// The facet's normal. "normal" and its three numbers may be missing or nonsense, then it is zero: what counts is the
+// winding.
+Vec3 read_normal(TextScanner& scanner) {
+  Vec3 normal = Vec3::Zero();
+  std::string_view word = scanner.next_word();
+  for (int k = 0; k < 4 && !same_word(word, "outer"); ++k) {
+    if (k > 0) normal[k - 1] = number_or_zero(word);
+    word = scanner.next_word();
+  }
+  if (!same_word(word, "outer")) scanner.fail_expected("'outer loop'", word);
+  expect(scanner, "loop");
+  return normal;
+}
+
+bool points_back(const Vec3& normal, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return facet_cross(a, b, c).dot(normal) < 0.0;
+}
+
+// From after "facet" to after "endfacet". Says whether the normal points to the back.
+bool read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uint32_t>& corners) {
+  const Vec3 normal = read_normal(scanner);
   corners.clear();
   std::string_view word = scanner.next_word();
   for (; same_word(word, "vertex"); word = scanner.next_word()) {
@@ -43,6 +62,7 @@ void read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uin
   if (corners.size() < 3) scanner.fail(fmt::format("expected at least 3 vertices, found {}", corners.size()));
   builder.add_polygon(corners);
   expect(scanner, "endfacet");
+  return points_back(normal, builder.position(corners[0]), builder.position(corners[1]), builder.position(corners[2]));
 }
 
 float float_at(std::string_view content, std::size_t at) {
@@ -66,21 +86,35 @@ void require_finite(std::string_view content, std::size_t count, const std::stri
   }
 }
 
+std::size_t count_normals_against(std::string_view content, std::size_t count) {
+  std::size_t against = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t at = stl_header + stl_record * k;
+    const bool back = points_back(vertex_at(content, at), vertex_at(content, at + 12), vertex_at(content, at + 24),
+                                  vertex_at(content, at + 36));
+    against += back ? 1 : 0;
+  }
+  return against;
+}
+
 }  // namespace
 
 FacetMesh read_text_stl(std::string_view content, const std::string& file) {
   TextScanner scanner(content, file);
   MeshBuilder builder;
   std::vector<std::uint32_t> corners;
+  std::size_t normals_against = 0;
   for (std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word()) {
     if (!same_word(word, "solid")) scanner.fail_expected("'solid'", word);
     builder.begin_part(scanner.rest_of_line());
     for (word = scanner.next_word(); same_word(word, "facet"); word = scanner.next_word())
-      read_facet(scanner, builder, corners);
+      normals_against += read_facet(scanner, builder, corners) ? 1 : 0;
     if (!same_word(word, "endsolid")) scanner.fail_expected("'facet' or 'endsolid'", word);
     scanner.rest_of_line();
   }
-  return builder.finish();
+  FacetMesh mesh = builder.finish();
+  mesh.normals_against = normals_against;
+  return mesh;
 }
 
 FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
@@ -100,7 +134,9 @@ FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
   MeshBuilder builder;
   for (const auto& [x, y, z] : points) builder.add_position({x, y, z});
   for (const auto& triangle : triangles) builder.add_polygon(triangle);
-  return builder.finish();
+  FacetMesh mesh = builder.finish();
+  mesh.normals_against = count_normals_against(content, count);
+  return mesh;
 }
 
 }  // namespace lrcs

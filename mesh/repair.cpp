@@ -1,11 +1,11 @@
 #include "mesh/repair.h"
 
 #include <algorithm>
-#include <functional>
 #include <unordered_set>
 #include <utility>
 
 #include "mesh/closed_shells.h"
+#include "mesh/facet_lists.h"
 #include "mesh/weld.h"
 
 namespace lrcs {
@@ -32,26 +32,6 @@ std::size_t weld(FacetMesh& mesh) {
   return welded;
 }
 
-// Drops the facets of which `drop` is true, and says how many they were.
-std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
-  std::vector lists{&mesh.part.of,  &mesh.file_material.of, &mesh.colour.of,
-                    &mesh.layer.of, &mesh.source_facet,     &mesh.curved.of};
-  for (FacetProperty& property : mesh.properties) lists.push_back(&property.values.of);
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < mesh.size(); ++k) {
-    if (drop(k)) continue;
-    mesh.facets[kept] = mesh.facets[k];
-    for (auto* list : lists)
-      if (!list->empty()) (*list)[kept] = (*list)[k];
-    ++kept;
-  }
-  const std::size_t dropped = mesh.size() - kept;
-  mesh.facets.resize(kept);
-  for (auto* list : lists)
-    if (!list->empty()) list->resize(kept);
-  return dropped;
-}
-
 // The same for the same corners in the same winding.
 Corners smallest_first(Corners corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -75,50 +55,66 @@ bool is_degenerate(const FacetMesh& mesh, std::size_t facet) {
   return facet_cross(a, b, c).isZero(0.0);
 }
 
+// Adds one to a count of the whole and of a facet's part.
+void count(RepairsByPart& repairs, std::size_t RepairCounts::*what, std::uint32_t part) {
+  ++(repairs.all.*what);
+  ++(repairs.parts[part].*what);
+}
+
 // Drops the facets that repeat an earlier one, of the same part or of any.
-void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairCounts& counts) {
+void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairsByPart& repairs) {
   std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
   known.reserve(mesh.size());
   drop_facets(mesh, [&](std::size_t k) {
     if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part.of[k] : 0U).second) return false;
     // A degenerate facet is counted as that already.
-    if (!is_degenerate(mesh, k)) ++counts.duplicate;
+    if (!is_degenerate(mesh, k)) count(repairs, &RepairCounts::duplicate, mesh.part.of[k]);
     return true;
   });
 }
 
-std::size_t count_degenerate(const FacetMesh& mesh) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < mesh.size(); ++k) count += is_degenerate(mesh, k) ? 1 : 0;
-  return count;
+void count_degenerate(const FacetMesh& mesh, RepairsByPart& repairs) {
+  for (std::size_t k = 0; k < mesh.size(); ++k)
+    if (is_degenerate(mesh, k)) count(repairs, &RepairCounts::degenerate, mesh.part.of[k]);
 }
 
-std::size_t face_outward(FacetMesh& mesh) {
-  std::size_t flipped = 0;
+void face_outward(FacetMesh& mesh, RepairsByPart& repairs) {
   for (const ClosedShell& shell : closed_shells(mesh)) {
-    for (const std::uint32_t facet : shell.reversed) {
-      std::swap(mesh.facets[facet][1], mesh.facets[facet][2]);
-      if (!mesh.curved.of.empty() && mesh.curved.of[facet] != CurvedFacets::flat)
-        turn_over(mesh.curved.patches[mesh.curved.of[facet]]);
-      flipped += is_degenerate(mesh, facet) ? 0 : 1;
-    }
+    turn_over(mesh, shell.reversed);
+    for (const std::uint32_t facet : shell.reversed)
+      if (!is_degenerate(mesh, facet)) count(repairs, &RepairCounts::flipped, mesh.part.of[facet]);
+    if (2 * shell.reversed.size() <= shell.facets.size()) continue;
+    ++repairs.all.inward_shells;
+    if (shell.in_one_part) ++repairs.parts[mesh.part.of[shell.facets[0]]].inward_shells;
   }
-  return flipped;
 }
 
 }  // namespace
 
-RepairCounts repair_connectivity(FacetMesh& mesh) {
-  RepairCounts counts;
-  counts.welded_vertices = weld(mesh);
-  counts.degenerate = count_degenerate(mesh);
+RepairsByPart repair_connectivity(FacetMesh& mesh) {
+  RepairsByPart repairs;
+  repairs.parts.resize(mesh.part.names.size());
+  repairs.all.welded_vertices = weld(mesh);
+  count_degenerate(mesh, repairs);
   drop_facets(mesh, [&](std::size_t k) { return has_equal_corners(mesh.facets[k]); });
-  drop_duplicate(mesh, true, counts);
+  drop_duplicate(mesh, true, repairs);
   // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
-  counts.flipped = face_outward(mesh);
-  drop_duplicate(mesh, false, counts);
+  face_outward(mesh, repairs);
+  drop_duplicate(mesh, false, repairs);
   measure_facets(mesh);
-  return counts;
+  return repairs;
+}
+
+std::vector<std::uint32_t> opposite_facets(const FacetMesh& mesh) {
+  std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
+  known.reserve(mesh.size());
+  std::vector<std::uint32_t> opposite;
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+    const auto& [a, b, c] = mesh.facets[k];
+    if (known.contains({smallest_first({a, c, b}), 0U})) opposite.push_back(k);
+    known.emplace(smallest_first(mesh.facets[k]), 0U);
+  }
+  return opposite;
 }
 
 std::size_t drop_degenerate(FacetMesh& mesh) {
@@ -128,9 +124,9 @@ std::size_t drop_degenerate(FacetMesh& mesh) {
 }
 
 RepairCounts repair(FacetMesh& mesh) {
-  const RepairCounts counts = repair_connectivity(mesh);
+  const RepairsByPart repairs = repair_connectivity(mesh);
   drop_degenerate(mesh);
-  return counts;
+  return repairs.all;
 }
 
 }  // namespace lrcs

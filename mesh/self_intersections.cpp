@@ -101,7 +101,10 @@ SelfIntersections self_intersections(const FacetMesh& welded, std::size_t most_t
   try {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
       if (left-- == 0) throw Enough();
-      result.pairs += test.intersect(a.info(), b.info()) ? 1 : 0;
+      if (!test.intersect(a.info(), b.info())) return;
+      ++result.pairs;
+      const auto [low, high] = std::minmax(welded.part.of[a.info()], welded.part.of[b.info()]);
+      if (low != high) ++result.between_parts[{low, high}];
     });
   } catch (const Enough&) {
     result.complete = false;

@@ -1,5 +1,8 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 #include "mesh/facet_mesh.h"
 
@@ -8,6 +11,7 @@ namespace lrcs {
 // What was counted, and whether that is all: else there are at least so many pairs.
 struct SelfIntersections {
   std::size_t pairs = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> between_parts;  // of them, by the two parts
   bool complete = true;
 };
 

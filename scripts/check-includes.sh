@@ -16,5 +16,5 @@ allow cad 'base|mesh|cad'
 allow lrcs 'base|measurement|brdf|mesh|cad|lrcs'
 allow view 'base|mesh|view'
 allow cli 'base|measurement|brdf|fit|mesh|cad|lrcs|view|cli'
-allow bench 'base|measurement|brdf|fit|mesh|lrcs|view|bench'
+allow bench 'base|measurement|brdf|fit|mesh|cad|lrcs|view|bench'
 exit $status

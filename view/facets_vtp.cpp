@@ -12,6 +12,7 @@
 #include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "base/whole_file.h"
@@ -32,11 +33,11 @@ void require_valid(const FacetMesh& mesh, const FacetResult& result) {
   require_one_a_facet(result.sigma_m2.size(), mesh, "sigma_m2");
 }
 
-vtkSmartPointer<vtkPoints> points_of(const FacetMesh& mesh) {
+vtkSmartPointer<vtkPoints> points_of(const FacetMesh& mesh, double scale) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   for (const Vec3& position : mesh.positions) {
-    const Vec3 p = mesh.metres_per_unit * position;
+    const Vec3 p = scale * position;
     points->InsertNextPoint(p.data());
   }
   return points;
@@ -54,6 +55,13 @@ vtkSmartPointer<Array> array_of(const char* name, const Values& values) {
   array->SetName(name);
   for (const auto& value : values) array->InsertNextValue(value);
   return array;
+}
+
+vtkSmartPointer<vtkPolyData> facets_of(const FacetMesh& mesh, double scale) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points_of(mesh, scale));
+  data->SetPolys(triangles_of(mesh));
+  return data;
 }
 
 void add_cell_arrays(vtkCellData* cells, const FacetMesh& mesh, const FacetResult& result) {
@@ -76,16 +84,16 @@ void add_field_arrays(vtkFieldData* fields, const FacetMesh& mesh, const FacetRe
   fields->AddArray(array_of<vtkDoubleArray>("sigma_total_m2", Single{result.sigma_total_m2}));
 }
 
-}  // namespace
+void add_words(vtkCellData* cells, const std::string& name, const FacetNames& told) {
+  if (told.of.empty() || std::all_of(told.names.begin(), told.names.end(), [](const auto& n) { return n.empty(); }))
+    return;
+  auto words = vtkSmartPointer<vtkStringArray>::New();
+  words->SetName(name.c_str());
+  for (const std::uint32_t k : told.of) words->InsertNextValue(told.names[k]);
+  cells->AddArray(words);
+}
 
-void write_facets_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh, const FacetResult& result) {
-  require_valid(mesh, result);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points_of(mesh));
-  data->SetPolys(triangles_of(mesh));
-  add_cell_arrays(data->GetCellData(), mesh, result);
-  add_field_arrays(data->GetFieldData(), mesh, result);
-
+void write_vtp(const std::filesystem::path& vtp, vtkPolyData* data) {
   const VtkErrors errors;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
@@ -95,6 +103,31 @@ void write_facets_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh, c
   const bool encoded = writer->Write() == 1;
   if (!encoded || errors.any()) throw std::runtime_error(vtp.string() + ": cannot be written: " + errors.first());
   write_whole_file(vtp, writer->GetOutputString());
+}
+
+}  // namespace
+
+void write_facets_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh, const FacetResult& result) {
+  require_valid(mesh, result);
+  const auto data = facets_of(mesh, mesh.metres_per_unit);
+  add_cell_arrays(data->GetCellData(), mesh, result);
+  add_field_arrays(data->GetFieldData(), mesh, result);
+  write_vtp(vtp, data);
+}
+
+void write_mesh_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh) {
+  const auto data = facets_of(mesh, 1.0);
+  vtkCellData* cells = data->GetCellData();
+  cells->AddArray(array_of<vtkUnsignedIntArray>("part", mesh.part.of));
+  cells->AddArray(array_of<vtkUnsignedIntArray>("source_facet", mesh.source_facet));
+  data->GetFieldData()->AddArray(array_of<vtkStringArray>("part_names", mesh.part.names));
+  add_words(cells, "file_material", mesh.file_material);
+  add_words(cells, "colour", mesh.colour);
+  add_words(cells, "layer", mesh.layer);
+  // Those of a file that was written here before have these names.
+  for (const FacetProperty& property : mesh.properties)
+    if (!cells->HasArray(property.name.c_str())) add_words(cells, property.name, property.values);
+  write_vtp(vtp, data);
 }
 
 }  // namespace lrcs

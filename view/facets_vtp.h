@@ -18,4 +18,10 @@ namespace lrcs {
 // check: tests/view/facets_vtp_test.cpp reads it back.
 void write_facets_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh, const FacetResult& result);
 
+// Writes a target as VTK XML PolyData, in the mesh's own unit.
+// value: points as doubles; cell arrays `part` (with `part_names`, as above), `source_facet`, and as words, where the
+//   mesh has them, `file_material`, `colour`, `layer` and the facet properties by their names.
+// laws, error: as above; facets are in their order.
+void write_mesh_vtp(const std::filesystem::path& vtp, const FacetMesh& mesh);
+
 }  // namespace lrcs

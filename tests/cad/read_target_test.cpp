@@ -214,6 +214,19 @@ TEST(ReadTarget, ReadsMeshesToo) {
   EXPECT_EQ(target.tessellation, "");
 }
 
+TEST(ReadTarget, DoubtsTheUnitOfGrainsAndMountains) {
+  const ScratchFolder folder;
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n3000 0 0\n0 4000 0\n3 0 1 2\n");
+  for (const char* unit : {"mm", "cm", "inch"})
+    EXPECT_TRUE(read_target(folder.path() / "a.off", unit).warnings.empty());
+  EXPECT_TRUE(read_target(folder.path() / "a.off").warnings.empty());
+  EXPECT_THAT(
+      read_target(folder.path() / "a.off", "m").warnings,
+      ElementsAre("the target is 5e+03 m across in m: is that its unit? It would be 5 m in mm, 50 m in cm, 127 m "
+                  "in inch"));
+  EXPECT_EQ(read_target(folder.path() / "a.off", "nm").warnings.size(), 1U);
+}
+
 TEST(BadCad, IsAnInputErrorWhateverBytesAreChangedOrCutOff) {
   const ScratchFolder folder;
   satellite().write_step(folder.path() / "good.step");

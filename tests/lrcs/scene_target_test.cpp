@@ -149,7 +149,7 @@ TEST(LoadTarget, TakesCadSurfacesAsCurvedUnlessToldNotTo) {
   const LoadedTarget curved = load_target(scene);
   EXPECT_GT(curved.target.curved.facets().size(), 1000U);
   EXPECT_LT(curved.target.curved.facets().size(), curved.target.mesh.size());
-  scene.target.curved = false;
+  scene.target.tessellation.curving.by = Curving::By::nothing;
   const LoadedTarget flat = load_target(scene);
   EXPECT_TRUE(flat.target.curved.empty());
   EXPECT_EQ(flat.target.mesh.facets, curved.target.mesh.facets);

@@ -64,7 +64,7 @@ TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   EXPECT_EQ(scene.target.up, "+z");
   EXPECT_EQ(scene.target.sides, Sides::both);
   EXPECT_TRUE(scene.target.repair);
-  EXPECT_TRUE(scene.target.curved);
+  EXPECT_EQ(scene.target.tessellation.curving.by, Curving::By::cad_surfaces);
   ASSERT_EQ(scene.materials.size(), 3U);
   EXPECT_EQ(scene.materials[0].name, "skin");
   EXPECT_EQ(scene.materials[0].wavelength, 1.06e-6);

@@ -137,8 +137,10 @@ TEST(InfoJson, HasTheKeysOfTheInterface) {
   EXPECT_EQ(
       json.dump(),
       R"({"facets":12,"vertices":8,"area_m2":6.0,"volume_m3":1.0,"box_m":[[0.0,0.0,0.0],[1.0,1.0,1.0]],"closed":true,)"
-      R"("unit":"mm","diagnosis":{"degenerate":0,"duplicate":0,"non_manifold_edges":0,"boundary_edges":0,"flipped":0,)"
-      R"("self_intersections":0,"self_intersections_complete":true},"parts":[{"name":"hull","facets":12,"area_m2":6.0,"volume_m3":1.0,"closed":true,)"
+      R"("unit":"mm","diagnosis":{"degenerate":0,"duplicate":0,"opposite_duplicate":0,"non_manifold_edges":0,)"
+      R"("boundary_edges":0,"holes":0,"t_junctions":0,"flipped":0,"inward_shells":0,"against_most":0,"near_vertices":0,)"
+      R"("gaps_complete":true,"normals_against_winding":0,"self_intersections":0,"self_intersections_complete":true,)"
+      R"("parts_that_meet":[]},"parts":[{"name":"hull","facets":12,"area_m2":6.0,"volume_m3":1.0,"closed":true,)"
       R"("material":"paint","colour":null}]})");
 }
 
@@ -160,9 +162,54 @@ TEST(InfoJson, ReplacesWhatIsNotUtf8InAName) {
             "Fl\xef\xbf\xbdgel");
 }
 
+TEST(Diagnosis, TellsWhatIsWrongWithWhichPart) {
+  FacetMesh mesh = joined(
+      reversed(unit_box()),
+      mesh_of({{4, 0, 0}, {5, 0, 0}, {4, 1, 0}, {5, 1, 0}}, {{0, 1, 2}, {1, 2, 3}, {0, 2, 1}, {0, 1, 2}, {0, 1, 1}}),
+      true);
+  const Diagnosis d = diagnose(mesh);
+  EXPECT_EQ(d.parts[0].flipped, 12U);
+  EXPECT_EQ(d.parts[0].inward_shells, 1U);
+  EXPECT_EQ(d.parts[0].boundary_edges + d.parts[0].holes + d.parts[0].opposite, 0U);
+  EXPECT_EQ(d.parts[1].duplicate, 1U);
+  EXPECT_EQ(d.parts[1].degenerate, 1U);
+  EXPECT_EQ(d.parts[1].opposite, 1U);
+  EXPECT_EQ(d.parts[1].flipped, 0U);
+  EXPECT_EQ(d.opposite, 1U);
+  EXPECT_EQ(d.inward_shells, 1U);
+}
+
+TEST(Diagnosis, CountsFacetsAgainstMostOfAnOpenPiece) {
+  const Diagnosis d =
+      diagnose(mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 3, 2}, {1, 4, 2}}));
+  EXPECT_EQ(d.against_most, 1U);
+  EXPECT_EQ(d.parts[0].against_most, 1U);
+}
+
+TEST(Diagnosis, NamesThePartsThatPassThroughEachOther) {
+  FacetMesh mesh = joined(unit_box(), box({0.5, 0.25, 0.25}, {1.5, 0.75, 0.75}), true);
+  mesh.part.names = {"hull", "boom"};
+  const Diagnosis d = diagnose(mesh);
+  ASSERT_EQ(d.meeting.size(), 1U);
+  EXPECT_EQ(d.meeting[0].one + " " + d.meeting[0].other, "hull boom");
+  EXPECT_EQ(d.meeting[0].facet_pairs, d.self_intersections.pairs);
+  EXPECT_NE(info_text(d, {"a.stl", "m", "", {}}).find("parts that meet       hull and boom: "), std::string::npos);
+}
+
+TEST(Diagnosis, TellsOfGapsOfAMillionthOfTheTarget) {
+  FacetMesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, -1e-7, 0}, {0.5, -1e-7, 0}, {1, -1e-7, 0}, {1, -1, 0}},
+                           {{0, 1, 2}, {4, 3, 6}, {4, 6, 5}});
+  const Diagnosis d = diagnose(mesh);
+  EXPECT_EQ(d.near_vertices, 2U);
+  EXPECT_EQ(d.t_junctions, 1U);
+  EXPECT_EQ(d.holes, 2U);
+  EXPECT_NE(info_text(d, {"a.stl", "m", "", {}}).find("2 pairs of vertices, 1 T-junctions"), std::string::npos);
+}
+
 TEST(InfoText, SaysWhereTheCountOfSelfIntersectionsStopped) {
   Diagnosis d = diagnose(unit_box());
-  d.self_intersections = {5, false};
+  d.self_intersections.pairs = 5;
+  d.self_intersections.complete = false;
   EXPECT_NE(info_text(d, {"box.stl", "mm", "", {}}).find("at least 5 pairs of facets (counting stopped)\n"),
             std::string::npos);
   const auto json = nlohmann::json::parse(info_json(d, {"", "mm", "", {}}));
@@ -184,15 +231,18 @@ TEST(InfoText, TellsAPersonWhatWasRead) {
             "box                   5 x 1 x 1 m, (0, 0, 0) to (5, 1, 1)\n"
             "closed                no\n"
             "degenerate            0 facets\n"
-            "duplicate             0 facets\n"
+            "duplicate             0 facets, and 0 in the opposite winding\n"
             "non-manifold          0 edges\n"
-            "boundary              3 edges\n"
-            "flipped               0 facets of closed shells\n"
+            "boundary              3 edges round 1 holes or sheets\n"
+            "flipped               0 facets of closed shells (0 shells face inward), 0 of open pieces\n"
             "self-intersecting     0 pairs of facets\n"
             "\n"
             "part      facets      area [m^2]    volume [m^3]  closed  material\n"
             "h\xc3\xbclle         12               6               1  yes     -\n"
             "sail           1             0.5               -  no      -\n"
+            "\n"
+            "what is wrong with parts\n"
+            "sail: 3 boundary edges, 1 holes\n"
             "\n"
             "assign:  # for a scene file\n"
             "  - {part: \"h\xc3\xbclle\", material: MATERIAL}  # 1 part, area 6\n"

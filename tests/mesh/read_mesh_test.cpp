@@ -85,12 +85,13 @@ TEST(ReadTextStl, MakesAPartOfEverySolidNameThatHasFacets) {
   EXPECT_EQ(mesh.file_material.names, std::vector<std::string>{""});
 }
 
-TEST(ReadTextStl, TakesNoNoticeOfStoredNormals) {
+TEST(ReadTextStl, GoesByTheWindingAndCountsStoredNormalsAgainstIt) {
   for (const std::string normal : {"normal 0 0 -1", "normal nan nan nan", "normal", "", "normal 0 0"}) {
     const FacetMesh mesh = mesh_of_file("a.stl", "solid\nfacet " + normal +
                                                      "\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                                      "endloop\nendfacet\nendsolid\n");
     EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)) << normal;
+    EXPECT_EQ(mesh.normals_against, normal == "normal 0 0 -1" ? 1U : 0U) << normal;
   }
 }
 

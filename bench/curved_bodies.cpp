@@ -1,0 +1,87 @@
+#include "bench/curved_bodies.h"
+
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <numbers>
+
+#include "cad/read_target.h"
+#include "mesh/body_frame.h"
+#include "mesh/normal_patches.h"
+#include "mesh/repair.h"
+#include "tests/cad/curved_reference.h"
+#include "tests/cad/made_cad.h"
+#include "tests/scratch_folder.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double m = 1000.0;  // [mm]
+constexpr double pi = std::numbers::pi;
+
+Aspect aspect(const AspectAngles& transmitter, const AspectAngles& receiver) {
+  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
+}
+
+CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const RoundSurface& surface, const Brdf& brdf,
+                   const std::vector<Aspect>& aspects) {
+  const ScratchFolder folder;
+  MadeCad cad;
+  cad.product(shape, "body");
+  cad.write_step(folder.path() / "body.step");
+  CurvedBody body{name, folder.read("body.step"), aspects, {}};
+  for (const Aspect& a : aspects) body.sigma.push_back(unshaded_sigma(surface, brdf, a.to_transmitter, a.to_receiver));
+  return body;
+}
+
+RoundSurface ellipsoid_surface(double a, double b, double c) {
+  return {
+      -pi / 2,
+      pi / 2,
+      [=](double v) { return Vec3(std::cos(v) * Vec3(b * c * std::cos(v), a * c * std::cos(v), a * b * std::sin(v))); },
+      {}};
+}
+
+}  // namespace
+
+std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
+  const std::vector<Aspect> all_round{aspect({20, 35}, {20, 35}), aspect({77, -12}, {77, -12}),
+                                      aspect({200, 3}, {200, 3}), aspect({20, 35}, {60, 21}),
+                                      aspect({130, -40}, {75, 5})};
+  const std::vector<Aspect> from_above{aspect({40, 75}, {40, 75}), aspect({10, 62}, {10, 62}),
+                                       aspect({200, 68}, {200, 68}), aspect({40, 80}, {70, 65})};
+  gp_GTrsf stretch;
+  stretch.SetValue(1, 1, 1.0), stretch.SetValue(2, 2, 0.7), stretch.SetValue(3, 3, 0.5);
+  const RoundSurface tube{0, 1, [](double) { return Vec3(1, 1, 0); }, {{Vec3(0, 0, 1), pi}, {Vec3(0, 0, -1), pi}}};
+  const RoundSurface cone{0, 1, [](double v) { return Vec3((1 - v) * Vec3(3, 3, 1)); }, {{Vec3(0, 0, -1), pi}}};
+  const RoundSurface torus{
+      0.0,
+      2 * pi,
+      [](double v) { return Vec3(0.4 * (1.0 + 0.4 * std::cos(v)) * Vec3(std::cos(v), std::cos(v), std::sin(v))); },
+      {}};
+  return {body_of("sphere", BRepPrimAPI_MakeSphere(m).Shape(), ellipsoid_surface(1, 1, 1), brdf, all_round),
+          body_of("cylinder", BRepPrimAPI_MakeCylinder(m, m).Shape(), tube, brdf, all_round),
+          body_of("cone", BRepPrimAPI_MakeCone(m, 0, 3 * m).Shape(), cone, brdf, all_round),
+          body_of("torus", BRepPrimAPI_MakeTorus(m, 0.4 * m).Shape(), torus, brdf, from_above),
+          body_of("ellipsoid", BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(m).Shape(), stretch, true).Shape(),
+                  ellipsoid_surface(1, 0.7, 0.5), brdf, all_round)};
+}
+
+Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const Brdf& brdf) {
+  const ScratchFolder folder;
+  folder.write("body.step", body.step);
+  Tessellation tessellation{.relative = 0.5, .absolute = {}, .angle_deg = angle_deg};
+  if (facets != Facets::of_surface) tessellation.curving.by = Curving::By::nothing;
+  Target target;
+  target.mesh = read_target(folder.path() / "body.step", "", tessellation).mesh;
+  repair(target.mesh);
+  place_in_body_frame(target.mesh, target.mesh.metres_per_unit, "+x", "+z");
+  constexpr double crease = 50.0 * pi / 180.0;
+  if (facets == Facets::of_estimated_normals) curve_by_normals(target.mesh, estimated_normals(target.mesh, crease));
+  target.curved = CurvedSurface(target.mesh);
+  target.material.assign(target.mesh.size(), 0);
+  target.materials = {{"m", brdf, 0.0, ""}};
+  return target;
+}
+
+}  // namespace lrcs
