@@ -20,6 +20,7 @@ struct AssignRule {
   std::string material;    // a name of Scene::materials
   Place place;             // of the pattern, for messages
   std::string property{};  // its name, of By::property
+  std::string back{};      // what the side behind the winding has instead; "": both sides have `material`
 };
 
 // The target's file and how it is to be read.

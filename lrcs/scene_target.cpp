@@ -122,15 +122,19 @@ std::uint32_t index_of(const std::string& name, const std::vector<Material>& mat
 
 }  // namespace
 
-std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& scene) {
-  std::vector<std::uint32_t> material(mesh.size(), unassigned);
+FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
+  std::vector<std::uint32_t> material(mesh.size(), unassigned), back(mesh.size());
   for (const AssignRule& rule : scene.assign) {
     const std::uint32_t index = index_of(rule.material, scene.materials);
+    const std::uint32_t behind = rule.back.empty() ? index : index_of(rule.back, scene.materials);
     const bool everything = rule.by == AssignRule::By::everything;
     const FacetNames& told = told_by(rule, mesh);
     const auto matched = everything ? std::vector<bool>{} : matches(rule, told.names);
-    for (std::size_t k = 0; k < mesh.size(); ++k)
-      if (material[k] == unassigned && (everything || matched[told.of[k]])) material[k] = index;
+    for (std::size_t k = 0; k < mesh.size(); ++k) {
+      if (material[k] != unassigned || !(everything || matched[told.of[k]])) continue;
+      material[k] = index;
+      back[k] = behind;
+    }
   }
   const auto left_out = std::find(material.begin(), material.end(), unassigned);
   if (left_out != material.end()) {
@@ -142,7 +146,8 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
                     std::count(material.begin(), material.end(), unassigned), mesh.size(), shown(name_of(mesh.part, k)),
                     also_told(mesh, k)));
   }
-  return material;
+  if (back == material) back.clear();
+  return {std::move(material), std::move(back)};
 }
 
 LoadedTarget load_target(const Scene& scene) {
@@ -168,7 +173,9 @@ LoadedTarget load_target(const Scene& scene) {
   target.curved = CurvedSurface(target.mesh);
   target.materials = scene.materials;
   target.sides = scene.target.sides;
-  target.material = assign_materials(target.mesh, scene);
+  FacetMaterials materials = assign_materials(target.mesh, scene);
+  target.material = std::move(materials.front);
+  target.back = std::move(materials.back);
   return loaded;
 }
 

@@ -21,7 +21,13 @@ struct LoadedTarget {
 // error: InputError for a file that cannot be used; a pattern that matches nothing; a facet left without a material.
 [[nodiscard]] LoadedTarget load_target(const Scene& scene);
 
-// Index of the material of every facet. The same errors.
-[[nodiscard]] std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& scene);
+// The material of every facet, as an index into the scene's; as of Target (lrcs/cross_section.h).
+struct FacetMaterials {
+  std::vector<std::uint32_t> front;
+  std::vector<std::uint32_t> back;  // empty: everywhere that of the front
+};
+
+// The same errors.
+[[nodiscard]] FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene);
 
 }  // namespace lrcs

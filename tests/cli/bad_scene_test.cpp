@@ -55,6 +55,9 @@ std::vector<BadScene> bad_scenes() {
        "{default: MATERIAL}"},
       {"UnknownMaterial", "default: white", "default: wihte",
        "11:15: unknown material 'wihte', did you mean 'white'? (materials: skin, white)"},
+      {"UnknownBack", "part: \"panel*\"", "part: \"panel*\", back: wihte",
+       "10:28: unknown material 'wihte', did you mean 'white'? (materials: skin, white)"},
+      {"BackWithoutFront", "default: white", "part: body, back: white", "11:5: key 'material' is missing"},
       {"UnknownLibraryMaterial", "metal-skin-5p", "metal-skim-5p",
        "7:19: unknown library material 'metal-skim-5p', did you mean 'metal-skin-5p'? (known: metal-skin-5p, "
        "metal-skin-9p, painted-steel-5p, painted-steel-9p)"},

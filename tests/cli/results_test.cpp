@@ -203,6 +203,32 @@ TEST_F(Sweep, WritesFacetsWhoseSharesSumToSigma) {
   }
 }
 
+// A sheet with its front up, seen from above and below.
+TEST_F(Sweep, TellsTheMaterialOfTheSideThatIsSeen) {
+  folder_.write("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder_.write("scene.yaml", R"(lrcs: 1
+target: {file: sheet.off, unit: m}
+materials: {cells: {model: lambert, reflectance: 0.1}, foil: {model: lambert, reflectance: 0.9}}
+assign: [{part: "*", material: cells, back: foil}]
+sweep: {azimuth: 0, elevation: [90, -90]}
+output: {facets: all}
+)");
+  ASSERT_EQ(run().status, 0);
+  for (const int k : {0, 1}) {
+    const double reflectance = k == 0 ? 0.1 : 0.9;
+    EXPECT_EQ(facets(k)->GetCellData()->GetArray("material")->GetTuple1(0), k);
+    EXPECT_NEAR(table().rows.at(static_cast<std::size_t>(k))[sigma_column], 4.0 * reflectance * 0.5, 1e-12);
+  }
+  const Json json = manifest();
+  EXPECT_EQ(json["assign"], Json::parse(R"([{"part": "*", "material": "cells", "back": "foil"}])"));
+  EXPECT_EQ(json["materials"][0]["facets"], 1);
+  EXPECT_EQ(json["materials"][0]["backs"], 0);
+  EXPECT_EQ(json["materials"][1]["facets"], 0);
+  EXPECT_EQ(json["materials"][1]["backs"], 1);
+  EXPECT_NE(run_lrcs({"check", "scene.yaml"}, {folder_.path()}).out.find("material    foil: 0 facets, 1 from behind\n"),
+            std::string::npos);
+}
+
 TEST_F(Sweep, NumbersFacetFilesByTheirPlaceInTheSceneAndSaysTheirDirections) {
   ask_for("[{azimuth: 30, elevation: 0}, {azimuth: 0, elevation: 0}]");
   ASSERT_EQ(run().status, 0);

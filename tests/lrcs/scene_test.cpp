@@ -125,6 +125,27 @@ TEST_F(SceneFile, TakesAnAccuracyAndFacets) {
   EXPECT_FALSE(read(shortest + "sweep: {azimuth: 0}\noutput: {facets: none}\n").facets.all);
 }
 
+TEST_F(SceneFile, TakesAMaterialOfBacksUnlessNoneIsSeen) {
+  const auto with_back = [](const std::string& sides) {
+    return "lrcs: 1\ntarget: {file: a.stl, unit: m, sides: " + sides +
+           "}\nmaterials: {w: {model: lambert, reflectance: 1}, b: {model: lambert, reflectance: 0, wavelength: 532 "
+           "nm}}\nassign: [{part: wing, material: w, back: b}, {default: w, back: w}, {default: w}]\n"
+           "wavelength: 1.06 um\nsweep: {azimuth: 0}\n";
+  };
+  const Scene scene = read(with_back("both"));
+  EXPECT_EQ(scene.assign[0].back, "b");
+  EXPECT_EQ(scene.assign[1].back, "w");
+  EXPECT_EQ(scene.assign[2].back, "");
+  EXPECT_THAT(wavelength_warnings(scene),
+              testing::ElementsAre("material 'b' is for 0.532 um, the scene is at 1.06 um"));
+  try {
+    (void)read(with_back("front"));
+    FAIL() << "taken";
+  } catch (const InputError& wrong) {
+    EXPECT_THAT(wrong.what(), testing::HasSubstr("scene.yaml:4:36: with 'sides: front' no back is seen"));
+  }
+}
+
 TEST_F(SceneFile, WarnsOnlyOfMaterialsForAnotherWavelength) {
   const std::string sweep = "sweep: {azimuth: 0}\n";
   EXPECT_THAT(wavelength_warnings(read(shortest + sweep + "wavelength: 1.55 um\n")), testing::IsEmpty());
