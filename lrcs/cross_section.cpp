@@ -43,8 +43,9 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
             else
               returned = seen[k].value > 0.0 ? pair(n) : unseen.f_cos_cos(wi, wr, n);
             out[k] = std::max(out[k], returned);
-            if (returned > 0.0 && !perhaps_edge_on)
-              lobes.add(lobe_error(pair, n) * target.mesh.areas[k] * (seen[k].value + seen[k].bound));
+            if constexpr (requires { pair.lobe_error(n); })
+              if (returned > 0.0 && !perhaps_edge_on)
+                lobes.add(pair.lobe_error(n) * target.mesh.areas[k] * (seen[k].value + seen[k].bound));
           }
         }
       },
