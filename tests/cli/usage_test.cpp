@@ -196,6 +196,18 @@ TEST(Info, PrintsTextAndJson) {
   EXPECT_NEAR(info["area_m2"].get<double>(), (10.0 + 1.84) * 1e-6, 1e-18);  // 2x1x1 and 0.4x1.4x0.2
 }
 
+TEST(Check, SaysWhichMaterialLibraryIsMissing) {
+  const ScratchFolder folder;
+  folder.write("a.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+  folder.write("scene.yaml",
+               "lrcs: 1\ntarget: {file: a.obj, unit: m}\nmaterials: {w: {model: lambert, reflectance: 1}}\n"
+               "assign: [{default: w}]\nsweep: {azimuth: 0}\n");
+  const Outcome outcome = run_lrcs({"check", "scene.yaml"}, {folder.path()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "lrcs: warning: none.mtl: cannot be read: No such file or directory; its materials have no colours\n");
+}
+
 TEST(Check, CountsAndComputesNothing) {
   const ScratchFolder folder;
   folder.write("box.stl", two_boxes());
