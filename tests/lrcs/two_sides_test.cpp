@@ -163,6 +163,24 @@ TEST(TwoSides, AreSampledWithinTheirBound) {
   }
 }
 
+TEST(TwoSides, OfALambertSheetAreSampledToItsFormula) {
+  FacetMesh mesh;
+  add_tiled_plate(mesh, {-1, -0.5, 0}, {2, 0, 0}, {0, 1, 0}, 100);
+  const Target target = two_sided(mesh);
+  constexpr double relative = 2e-2, area = 2.0;
+  const SampledSections sampled(target, relative, true);
+  for (const double side : {1.0, -1.0}) {
+    const Vec3 dr = side * Vec3(1, 2, 5).normalized(), di = side * Vec3(2, -1, 4).normalized();
+    for (const Vec3& from : {dr, di}) {
+      const auto section = sampled.section(from, dr);
+      ASSERT_TRUE(section);
+      const double expected = 4.0 * (side > 0.0 ? bright : dim) * area * std::abs(from.z() * dr.z());
+      EXPECT_NEAR(section->sigma.value, expected, section->sigma.bound);
+      EXPECT_LE(section->sigma.bound, relative * expected * (1.0 + relative));
+    }
+  }
+}
+
 TEST(TwoSides, AreCountedToReturnNothingOnlyIfBothDo) {
   Target target = two_sided(sheet());
   target.materials.push_back({"black", lambert(0.0), 0.0, ""});
