@@ -10,10 +10,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json properties_json(const Scene& scene, const LoadedTarget& loaded) {
+  if (loaded.properties_digest.empty()) return nullptr;
+  return {{"file", scene.target.facet_properties.string()}, {"sha256", loaded.properties_digest}};
+}
+
 Json target_json(const Scene& scene, const LoadedTarget& loaded) {
   const RepairCounts& r = loaded.repaired;
   return {{"file", scene.target.file.string()},
           {"sha256", loaded.digest},
+          {"facet_properties", properties_json(scene, loaded)},
           {"unit", loaded.unit},
           {"tessellation", loaded.tessellation.empty() ? Json(nullptr) : Json(loaded.tessellation)},
           {"forward", scene.target.forward},

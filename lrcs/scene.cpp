@@ -20,7 +20,8 @@ namespace lrcs {
 namespace {
 
 TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path& folder) {
-  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "curved", "chord_tolerance", "chord_angle"});
+  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "curved", "chord_tolerance", "chord_angle",
+                   "facet_properties"});
   TargetFile target;
   target.file = folder / node.at("file").text();
   target.place = node.at("file").place();
@@ -44,6 +45,10 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
         .fail(fmt::format("expected forward and up along different axes, found {} and {}", target.forward, target.up));
   if (node.has("sides") && node.at("sides").one_of({"both", "front"}) == "front") target.sides = Sides::front;
   if (node.has("curved")) target.curved = node.at("curved").one_of({"auto", "none"}) == "auto";
+  if (node.has("facet_properties")) {
+    target.facet_properties = folder / node.at("facet_properties").text();
+    target.properties_place = node.at("facet_properties").place();
+  }
   if (node.has("repair")) target.repair = node.at("repair").one_of({"auto", "none"}) == "auto";
   return target;
 }

@@ -33,6 +33,8 @@ struct TargetFile {
   bool repair = true;
   bool curved = true;  // facets of CAD surfaces are integrated as the surface is, not as flat
   Sides sides = Sides::both;
+  std::filesystem::path facet_properties{};  // a table of them (mesh/facet_properties_csv.h); "": none
+  Place properties_place{};                  // of its name
 };
 
 // For which directions of the sweep the facets are to be written.

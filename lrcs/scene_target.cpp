@@ -11,6 +11,7 @@
 #include "base/nearest_name.h"
 #include "cad/read_target.h"
 #include "mesh/body_frame.h"
+#include "mesh/facet_properties_csv.h"
 
 namespace lrcs {
 namespace {
@@ -120,6 +121,11 @@ std::uint32_t index_of(const std::string& name, const std::vector<Material>& mat
   return static_cast<std::uint32_t>(found - materials.begin());
 }
 
+void require_file(const std::filesystem::path& file, const Place& place) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) throw InputError(place, fmt::format("no such file: '{}'", file.string()));
+}
+
 }  // namespace
 
 FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
@@ -151,9 +157,9 @@ FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
 }
 
 LoadedTarget load_target(const Scene& scene) {
-  std::error_code none;
-  if (!std::filesystem::exists(scene.target.file, none))
-    throw InputError(scene.target.place, fmt::format("no such file: '{}'", scene.target.file.string()));
+  const std::filesystem::path& properties = scene.target.facet_properties;
+  require_file(scene.target.file, scene.target.place);
+  if (!properties.empty()) require_file(properties, scene.target.properties_place);
   LoadedTarget loaded;
   Target& target = loaded.target;
   loaded.digest = digest_of_file(scene.target.file);
@@ -168,6 +174,10 @@ LoadedTarget load_target(const Scene& scene) {
   loaded.unit = read.unit;
   loaded.tessellation = read.tessellation;
   loaded.warnings = read.warnings;
+  if (!properties.empty()) {
+    add_facet_properties(target.mesh, properties);
+    loaded.properties_digest = digest_of_file(properties);
+  }
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
   target.curved = CurvedSurface(target.mesh);

@@ -11,10 +11,11 @@ namespace lrcs {
 // A scene's target, read, repaired as asked, in the body frame, every facet with its material.
 struct LoadedTarget {
   Target target;
-  RepairCounts repaired;     // all zero for repair: none
-  std::string digest;        // SHA-256 of the target's file
-  std::string unit;          // of its lengths: the scene's, else the file's
-  std::string tessellation;  // how facets were made of surfaces; "" where the file holds facets
+  RepairCounts repaired;          // all zero for repair: none
+  std::string digest;             // SHA-256 of the target's file
+  std::string properties_digest;  // the same of the table of facet properties; "": there is none
+  std::string unit;               // of its lengths: the scene's, else the file's
+  std::string tessellation;       // how facets were made of surfaces; "" where the file holds facets
   std::vector<std::string> warnings;
 };
 

@@ -278,6 +278,26 @@ TEST_F(Sweep, ListsInputsAndOutputsWithTheirDigests) {
   EXPECT_EQ(in_folder, names.size());
 }
 
+TEST_F(Sweep, RecordsTheTableOfFacetPropertiesThatItAssignedBy) {
+  folder_.write("zones.csv", "facet,zone\n3,hot\n11,hot\n");
+  folder_.write("scene.yaml", R"(lrcs: 1
+target: {file: box.stl, unit: m, facet_properties: zones.csv}
+materials: {white: {model: lambert, reflectance: 1}, black: {model: lambert, reflectance: 0}}
+assign: [{property: zone, value: hot, material: black}, {default: white}]
+sweep: {azimuth: 0}
+)");
+  ASSERT_EQ(run().status, 0);
+  const Json json = manifest();
+  EXPECT_EQ(json["target"]["facet_properties"]["file"], "zones.csv");
+  EXPECT_EQ(json["target"]["facet_properties"]["sha256"], digest_of(folder_.read("zones.csv")));
+  EXPECT_EQ(json["materials"][1]["facets"], 2);
+  EXPECT_EQ(json["assign"][0], Json::parse(R"({"property": "zone", "value": "hot", "material": "black"})"));
+  folder_.write("zones.csv", "facet,zone\n24,hot\n");
+  const Outcome wrong = run();
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "lrcs: zones.csv:2:1: expected the number of a facet, 0 to 23, found '24'\n");
+}
+
 TEST_F(Sweep, WarnsOfAMaterialForAnotherWavelengthAndNamesBoth) {
   folder_.write("scene.yaml", scene_with("1.06 um", "1.55 um"));
   const std::string warning = "material 'skin' is for 1.06 um, the scene is at 1.55 um";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/digest.h"
 #include "tests/lrcs/test_targets.h"
 #include "tests/scratch_folder.h"
 
@@ -160,6 +161,23 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   scene.target.repair = false;
   EXPECT_EQ(load_target(scene).target.mesh.size(), 3U);
   EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);
+}
+
+TEST(LoadTarget, AssignsByATableOfFacetProperties) {
+  const ScratchFolder folder;
+  folder.write("t.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 2 3\n");
+  folder.write("zones.csv", "facet,zone\n1,hot\n");
+  AssignRule hot = rule(By::property, "hot", "b");
+  hot.property = "zone";
+  Scene scene = scene_of({hot, rule(By::everything, "", "a")});
+  scene.target.file = folder.path() / "t.off";
+  scene.target.unit = "m";
+  scene.target.facet_properties = folder.path() / "zones.csv";
+  const LoadedTarget loaded = load_target(scene);
+  EXPECT_EQ(loaded.target.material, (Indices{0, 1}));
+  EXPECT_EQ(loaded.properties_digest, digest_of("facet,zone\n1,hot\n"));
+  scene.target.facet_properties.clear();
+  EXPECT_THROW((void)load_target(scene), InputError);
 }
 
 TEST(LoadTarget, TakesCadSurfacesAsCurvedUnlessToldNotTo) {

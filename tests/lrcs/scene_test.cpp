@@ -23,6 +23,7 @@ target:
   curved: auto                  # of CAD surfaces: integrated over the true surface; none: over its flat facets
   chord_tolerance: 1e-3         # of CAD surfaces: how far facets may lie off them, of a part's size, or a length (0.1 mm)
   chord_angle: 8                # the same: how far they may turn from edge to edge [deg]
+  facet_properties: zones.csv   # more that facets can be told apart by: facet,NAME[,NAME...]
 materials:
   skin:  {library: metal-skin-5p}
   paint: {model: five_parameter, kb: 0.153, kr: 0.456, b: -26.998, a: 0.667, kd: 0.015, azimuth_of_specular: 180}
@@ -60,6 +61,7 @@ TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   EXPECT_EQ(scene.target.tessellation.relative, 1e-3);
   EXPECT_EQ(scene.target.tessellation.absolute, std::nullopt);
   EXPECT_EQ(scene.target.tessellation.angle_deg, 8.0);
+  EXPECT_EQ(scene.target.facet_properties, folder_.path() / "zones.csv");
   EXPECT_EQ(scene.target.forward, "+x");
   EXPECT_EQ(scene.target.up, "+z");
   EXPECT_EQ(scene.target.sides, Sides::both);
