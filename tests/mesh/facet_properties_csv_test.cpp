@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "made_meshes.h"
 #include "mesh/repair.h"
 #include "tests/base/gzip.h"
@@ -92,6 +94,21 @@ TEST(BadFacetPropertiesCsv, IsAFolder) {
   const Folder folder;
   FacetMesh mesh = three_polygons();
   EXPECT_THROW(add_facet_properties(mesh, folder.path()), InputError);
+}
+
+TEST(BadFacetPropertiesCsv, IsNeverMoreThanAnInputErrorWhateverBytesAreChanged) {
+  std::mt19937_64 random(21);
+  const std::string good = "facet,zone,side\n0,hot,a\n1,\"cold\",b\n2,,c\n";
+  int refused = 0;
+  for (int k = 0; k < 300; ++k) {
+    std::string bytes = good;
+    for (std::size_t flips = 1 + random() % 4; flips > 0; --flips)
+      bytes[random() % bytes.size()] = k % 2 == 0 ? good[random() % good.size()] : static_cast<char>(random());
+    const std::string wrong = complaint(bytes);
+    EXPECT_EQ(wrong.find('\n'), std::string::npos);
+    refused += wrong.empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 50);
 }
 
 }  // namespace

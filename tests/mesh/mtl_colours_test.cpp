@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/input_error.h"
+#include <random>
+
 #include "mesh/read_mesh.h"
 #include "tests/base/gzip.h"
 #include "tests/scratch_folder.h"
@@ -84,6 +85,21 @@ TEST_F(ObjWithLibrary, SaysWhereTheLibraryIsBrokenAndTakesNothingOfIt) {
   EXPECT_EQ(warning_of("newmtl red\nKd\n"),
             "a.mtl:2:3: expected a part of a colour, 0 to 1, found the end of the line" + tail);
   EXPECT_EQ(warning_of("Kd 1 0 0\n"), "a.mtl:1:1: expected newmtl before Kd" + tail);
+}
+
+TEST_F(ObjWithLibrary, IsReadWhateverBytesOfTheLibraryAreChanged) {
+  std::mt19937_64 random(22);
+  const std::string good = "newmtl red\nKd 1 0 0.5\nnewmtl tail fin\nKd 0.25\n";
+  std::size_t warned = 0;
+  for (int k = 0; k < 300; ++k) {
+    std::string bytes = good;
+    for (std::size_t flips = 1 + random() % 4; flips > 0; --flips)
+      bytes[random() % bytes.size()] = k % 2 == 0 ? good[random() % good.size()] : static_cast<char>(random());
+    folder_.write("a.mtl", bytes);
+    EXPECT_EQ(read("mtllib a.mtl").size(), 4U);
+    warned += warnings_.size();
+  }
+  EXPECT_GT(warned, 50U);
 }
 
 }  // namespace
