@@ -86,7 +86,7 @@ void doubt_unit(TargetRead& read) {
 TargetRead read_any(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
   if (const auto format = foreign_format_of(file)) return read_contained(file, *format, unit, tessellation);
   TargetRead target;
-  target.mesh = read_mesh(file);
+  target.mesh = read_mesh(file, &target.warnings);
   target.unit = unit;
   if (!unit.empty()) target.mesh.metres_per_unit = metres_in(unit);
   return target;

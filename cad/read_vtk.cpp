@@ -21,11 +21,11 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <unordered_map>
 
 #include "base/input_error.h"
 #include "base/length.h"
 #include "mesh/mesh_builder.h"
+#include "mesh/polygon_words.h"
 
 namespace lrcs {
 namespace {
@@ -145,16 +145,11 @@ std::optional<FacetNames> values_of(vtkAbstractArray& array, const FacetMesh& me
                                     const std::vector<vtkIdType>& cells) {
   if (array.GetNumberOfComponents() != 1) return std::nullopt;
   if (!is_integer(array) && vtkStringArray::SafeDownCast(&array) == nullptr) return std::nullopt;
-  FacetNames values;
-  std::unordered_map<std::string, std::uint32_t> known;
-  for (const std::uint32_t polygon : mesh.source_facet) {
-    const vtkIdType cell = cells[polygon];
-    const std::string text = cell < array.GetNumberOfValues() ? array.GetVariantValue(cell).ToString() : std::string();
-    const auto [entry, is_new] = known.try_emplace(text, static_cast<std::uint32_t>(values.names.size()));
-    if (is_new) values.names.push_back(text);
-    values.of.push_back(entry->second);
-  }
-  return values;
+  PolygonWords words;
+  for (std::size_t polygon = 0; polygon < cells.size(); ++polygon)
+    if (cells[polygon] < array.GetNumberOfValues())
+      words.set(polygon, std::string(array.GetVariantValue(cells[polygon]).ToString()));
+  return words.of_facets(mesh);
 }
 
 // Our own facet files: an index into words.

@@ -17,9 +17,13 @@ void check(const std::string& file, bool quiet) {
   fmt::print("{}: ok\n", file);
   fmt::print("target      {}: {} facets in {} parts\n", scene.target.file.string(), loaded.target.mesh.size(),
              loaded.target.mesh.part.names.size());
+  const auto count = [](const std::vector<std::uint32_t>& materials, std::uint32_t m) {
+    return std::count(materials.begin(), materials.end(), m);
+  };
+  const Target& target = loaded.target;
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
-    fmt::print("material    {}: {} facets\n", scene.materials[m].name,
-               std::count(loaded.target.material.begin(), loaded.target.material.end(), m));
+    fmt::print("material    {}: {} facets{}\n", scene.materials[m].name, count(target.material, m),
+               target.back.empty() ? "" : fmt::format(", {} from behind", count(target.back, m)));
   fmt::print("directions  {}\n", scene.directions.size());
   if (quiet) return;
   for (const auto& warnings : {material_warnings(scene), loaded.warnings})

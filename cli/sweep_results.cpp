@@ -37,6 +37,8 @@ void make_folder(const std::filesystem::path& folder) {
 FacetResult facet_result(const Target& target, const SweepRow& row, const CrossSection& section) {
   FacetResult result;
   result.material = target.material;
+  for (std::size_t f = 0; f < target.back.size(); ++f)
+    if (target.mesh.normals[f].dot(row.aspect.to_receiver) < 0.0) result.material[f] = target.back[f];
   for (const Material& m : target.materials) result.material_names.push_back(m.name);
   result.seen_fraction = section.seen_fraction;
   result.sigma_m2 = section.facet_sigma;

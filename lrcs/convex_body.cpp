@@ -90,7 +90,7 @@ double add_pair(const FacetBlock& block, const Aspect& aspect, const Pair& pair,
     const Vec3 n = block.normal(k);
     if (least <= doubtful_cosine) {
       if (is_exactly_edge_on(n, di) || is_exactly_edge_on(n, dr)) continue;
-      edge_on += block.area[k] * largest_edge_on(pair, n, di, dr, true);
+      edge_on += block.area[k] * largest_edge_on(pair, n, di, dr);
       continue;
     }
     const double returned = block.area[k] * pair(n);

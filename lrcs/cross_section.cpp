@@ -12,44 +12,53 @@
 namespace lrcs {
 namespace {
 
-// f_r cos(theta_i) cos(theta_r) of every facet of one material that is seen, from the side that is seen; its largest
-// value where the facet is perhaps edge-on. Others are left alone. Adds what rounding may do to lobes to `lobes`, times
-// the areas seen.
+// f_r cos(theta_i) cos(theta_r) of every facet that is seen from a side of one material; the largest value of its sides
+// where it is perhaps edge-on. Others are left alone. Adds what rounding may do to lobes to `lobes`, times the areas
+// seen.
 void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const Vec3& wr,
              const std::vector<Estimate>& seen, std::vector<double>& out, CompensatedSum& lobes) {
   if (returns_nothing(target.materials[material])) return;
   const bool retro = wi == wr;
+  const auto& behind = target.back_material();
   std::visit(
       [&](const auto& model) {
         const auto pair = model.for_pair(wi, wr);
         const auto& unseen = supposed(model);  // of facets that only rounding may make visible
         for (std::size_t k = 0; k < out.size(); ++k) {
-          if (target.material[k] != material || (seen[k].value == 0.0 && seen[k].bound == 0.0)) continue;
+          if (target.material[k] != material && behind[k] != material) continue;
+          if (seen[k].value == 0.0 && seen[k].bound == 0.0) continue;
           if (target.curved.place_of(k) != CurvedSurface::none) continue;
-          const Vec3& n = target.mesh.normals[k];
-          const double cos_i = n.dot(wi);
+          const double cos_i = target.mesh.normals[k].dot(wi);
           const bool perhaps_edge_on = seen[k].value == 0.0 && seen[k].bound == 1.0;
-          if (perhaps_edge_on && !retro)
-            out[k] = largest_edge_on(unseen.for_pair(wi, wr), n, wi, wr, target.sides == Sides::front);
-          else if (cos_i < 0.0 && target.sides == Sides::front)
-            continue;
-          else if (retro)
-            out[k] =
-                seen[k].value > 0.0 ? model.f_cos_cos_retro(std::abs(cos_i)) : unseen.f_cos_cos_retro(std::abs(cos_i));
-          else if (seen[k].value == 0.0)
-            out[k] = unseen.f_cos_cos(wi, wr, cos_i < 0.0 ? Vec3(-n) : n);
-          else
-            out[k] = cos_i < 0.0 ? pair(Vec3(-n)) : pair(n);
-          if constexpr (requires { pair.lobe_error(n); })
-            if (out[k] > 0.0 && !perhaps_edge_on)
-              lobes.add(pair.lobe_error(cos_i < 0.0 ? Vec3(-n) : n) * target.mesh.areas[k] *
-                        (seen[k].value + seen[k].bound));
+          for (const double side : {1.0, -1.0}) {
+            if (side < 0.0 && target.sides == Sides::front) continue;
+            if ((side > 0.0 ? target.material : behind)[k] != material) continue;
+            if ((cos_i < 0.0) != (side < 0.0) && !perhaps_edge_on) continue;
+            const Vec3 n = side * target.mesh.normals[k];
+            double returned = 0.0;
+            if (retro)
+              returned = (seen[k].value > 0.0 ? model : unseen).f_cos_cos_retro(std::abs(cos_i));
+            else if (perhaps_edge_on)
+              returned = largest_edge_on(unseen.for_pair(wi, wr), n, wi, wr);
+            else
+              returned = seen[k].value > 0.0 ? pair(n) : unseen.f_cos_cos(wi, wr, n);
+            out[k] = std::max(out[k], returned);
+            if constexpr (requires { pair.lobe_error(n); })
+              if (returned > 0.0 && !perhaps_edge_on)
+                lobes.add(pair.lobe_error(n) * target.mesh.areas[k] * (seen[k].value + seen[k].bound));
+          }
         }
       },
       target.materials[material].brdf);
 }
 
 }  // namespace
+
+bool Target::has_one_material() const {
+  const auto is_first = [this](std::uint32_t m) { return m == material.front(); };
+  return std::all_of(material.begin(), material.end(), is_first) &&
+         (sides == Sides::front || std::all_of(back.begin(), back.end(), is_first));
+}
 
 CrossSection cross_section(const Target& target, const Visibility& visibility, const Vec3& to_transmitter,
                            const Vec3& to_receiver) {

@@ -16,13 +16,19 @@ namespace lrcs {
 enum class Sides { both, front };
 
 // A target ready to be integrated.
-// shape: material: one a facet, an index into materials. frame: body [m].
+// shape: material: one a facet, an index into materials; back: the same, or none. frame: body [m].
 struct Target {
   FacetMesh mesh;
   std::vector<Material> materials;
   std::vector<std::uint32_t> material;
   Sides sides = Sides::both;
-  CurvedSurface curved{};  // of the mesh; empty where mesh.curved is
+  CurvedSurface curved{};             // of the mesh; empty where mesh.curved is
+  std::vector<std::uint32_t> back{};  // of sides seen from behind the winding; empty: both sides have `material`
+
+  // shape: one a facet.
+  [[nodiscard]] const std::vector<std::uint32_t>& back_material() const { return back.empty() ? material : back; }
+  // Do all sides that reflect have the same?
+  [[nodiscard]] bool has_one_material() const;
 };
 
 // Laser radar cross section of a target for one pair of directions.

@@ -129,15 +129,17 @@ class Looking {
     }
   }
 
+  // Of its sides of one material.
   template <class Model, class Pair>
-  CurvedReturn at(const Facet& facet, const Model& model_seen, const Pair& pair_seen, const Model& unseen,
-                  const Pair& pair_unseen) const {
+  CurvedReturn at(const Facet& facet, std::uint32_t material, const Model& model_seen, const Pair& pair_seen,
+                  const Model& unseen, const Pair& pair_unseen) const {
     CurvedReturn sum;
     // Rounding does not matter: what is cut where it need not be is cut at its rim.
     const Range of_i = facing(facet, wi_), of_r = facing(facet, wr_);
     const bool whole = of_i.least * of_i.most > 0.0 && of_r.least * of_r.most > 0.0;
     for (const double side : {1.0, -1.0}) {
       if (side < 0.0 && target_.sides == Sides::front) continue;
+      if ((side > 0.0 ? target_.material : target_.back_material())[facet.facet] != material) continue;
       if (!may_face(facet, side)) continue;
       const Estimate fraction = fraction_of(facet, side);
       if (fraction.value == 0.0 && fraction.bound == 0.0) continue;
@@ -334,6 +336,7 @@ std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const E
   std::vector<CurvedReturn> returns(facets.size());
   if (facets.empty()) return returns;
   const Looking looking(target, seen, middles, to_transmitter, to_receiver);
+  const auto& behind = target.back_material();
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     std::visit(
         [&](const auto& model) {
@@ -343,9 +346,9 @@ std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const E
           const auto pair_unseen = unseen.for_pair(to_transmitter, to_receiver);
           const bool black = returns_nothing(target.materials[m]);
           for (std::size_t k = 0; k < facets.size(); ++k)
-            if (target.material[facets[k].facet] == m)
-              returns[k] = black ? looking.at(facets[k], unseen, pair_unseen, unseen, pair_unseen)
-                                 : looking.at(facets[k], model, pair, unseen, pair_unseen);
+            if (const std::uint32_t f = facets[k].facet; target.material[f] == m || behind[f] == m)
+              returns[k] += black ? looking.at(facets[k], m, unseen, pair_unseen, unseen, pair_unseen)
+                                  : looking.at(facets[k], m, model, pair, unseen, pair_unseen);
         },
         target.materials[m].brdf);
   return returns;

@@ -42,7 +42,7 @@ double FacetReturns::value(const Models& models, std::size_t material, const Vec
 double FacetReturns::value(const Models& models, std::uint32_t facet) const {
   const Vec3& n = target_.mesh.normals[facet];
   if (n.dot(wr_) >= 0.0) return value(models, target_.material[facet], n);
-  return target_.sides == Sides::front ? 0.0 : value(models, target_.material[facet], -n);
+  return target_.sides == Sides::front ? 0.0 : value(models, target_.back_material()[facet], -n);
 }
 
 double FacetReturns::of_material(std::size_t material, const Vec3& n) const {
@@ -59,8 +59,9 @@ double FacetReturns::most(std::uint32_t facet) const {
   if (is_exactly_edge_on(n, wi_)) return 0.0;
   const double cos_r = std::abs(n.dot(wr_));
   if (cos_r <= edge_on) return 0.0;
-  const auto& model = supposed_[target_.material[facet]];
-  return largest_edge_on(model, n, wi_, wr_, target_.sides == Sides::front) / cos_r;
+  const double front = largest_edge_on(supposed_[target_.material[facet]], n, wi_, wr_);
+  if (target_.sides == Sides::front) return front / cos_r;
+  return std::max(front, largest_edge_on(supposed_[target_.back_material()[facet]], -n, wi_, wr_)) / cos_r;
 }
 
 double FacetReturns::range_in_plane_of(std::uint32_t facet) const {

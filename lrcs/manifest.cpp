@@ -10,10 +10,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json properties_json(const Scene& scene, const LoadedTarget& loaded) {
+  if (loaded.properties_digest.empty()) return nullptr;
+  return {{"file", scene.target.facet_properties.string()}, {"sha256", loaded.properties_digest}};
+}
+
 Json target_json(const Scene& scene, const LoadedTarget& loaded) {
   const RepairCounts& r = loaded.repaired;
   return {{"file", scene.target.file.string()},
           {"sha256", loaded.digest},
+          {"facet_properties", properties_json(scene, loaded)},
           {"unit", loaded.unit},
           {"tessellation", loaded.tessellation.empty() ? Json(nullptr) : Json(loaded.tessellation)},
           {"forward", scene.target.forward},
@@ -42,16 +48,47 @@ Json measurement_json(const Tabulated& tabulated) {
 }
 
 Json materials_json(const LoadedTarget& loaded) {
-  std::vector<std::size_t> facets(loaded.target.materials.size(), 0);
+  std::vector<std::size_t> facets(loaded.target.materials.size(), 0), backs = facets;
   for (const auto m : loaded.target.material) ++facets[m];
+  for (const auto m : loaded.target.back_material()) ++backs[m];
   Json materials = Json::array();
   for (std::size_t k = 0; k < facets.size(); ++k) {
     const Material& m = loaded.target.materials[k];
-    materials.push_back({{"name", m.name}, {"facets", facets[k]}, {"definition", material_to_yaml(m)}});
+    materials.push_back(
+        {{"name", m.name}, {"facets", facets[k]}, {"backs", backs[k]}, {"definition", material_to_yaml(m)}});
     if (const auto* tabulated = std::get_if<Tabulated>(&m.brdf))
       materials.back()["measurement"] = measurement_json(*tabulated);
   }
   return materials;
+}
+
+const char* key_of(AssignRule::By by) {
+  switch (by) {
+    case AssignRule::By::part:
+      return "part";
+    case AssignRule::By::file_material:
+      return "file_material";
+    case AssignRule::By::colour:
+      return "colour";
+    case AssignRule::By::layer:
+      return "layer";
+    default:
+      return "value";
+  }
+}
+
+// As the scene file says it.
+Json assign_json(const std::vector<AssignRule>& rules) {
+  Json assign = Json::array();
+  for (const AssignRule& rule : rules) {
+    const bool everything = rule.by == AssignRule::By::everything;
+    Json& json = assign.emplace_back(Json::object());
+    if (rule.by == AssignRule::By::property) json["property"] = rule.property;
+    if (!everything) json[key_of(rule.by)] = rule.pattern;
+    json[everything ? "default" : "material"] = rule.material;
+    if (!rule.back.empty()) json["back"] = rule.back;
+  }
+  return assign;
 }
 
 Json receiver_json(const Receiver& receiver) {
@@ -111,6 +148,7 @@ std::string manifest_json(const Scene& scene, const LoadedTarget& loaded, const 
                   {"wavelength_m", scene.wavelength > 0.0 ? Json(scene.wavelength) : Json(nullptr)},
                   {"target", target_json(scene, loaded)},
                   {"materials", materials_json(loaded)},
+                  {"assign", assign_json(scene.assign)},
                   {"directions", scene.directions.size()},
                   {"receiver", receiver_json(scene.receiver)},
                   {"accuracy", scene.relative_accuracy ? Json{{"relative", *scene.relative_accuracy}} : Json("exact")},

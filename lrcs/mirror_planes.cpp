@@ -13,13 +13,13 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// A facet by its corners, from the lowest on in the order of its winding, and its material.
-using FacetKey = std::array<std::uint32_t, 4>;
+// A facet by its corners, from the lowest on in the order of its winding, and the materials of front and back.
+using FacetKey = std::array<std::uint32_t, 5>;
 using KeyedFacet = std::pair<FacetKey, std::uint32_t>;
 
-FacetKey key_of(std::array<std::uint32_t, 3> corners, std::uint32_t material) {
+FacetKey key_of(std::array<std::uint32_t, 3> corners, std::uint32_t front, std::uint32_t back) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return {corners[0], corners[1], corners[2], material};
+  return {corners[0], corners[1], corners[2], front, back};
 }
 
 // Mirrors coordinates of one axis, exactly or not at all.
@@ -70,7 +70,8 @@ class MirrorSearch {
     for (std::uint32_t f = 0; f < target.mesh.size(); ++f)
       if (target.mesh.areas[f] > 0.0) facets_.push_back(f);
     number_places();
-    for (const std::uint32_t f : facets_) keyed_.emplace_back(key_of(corners_[f], target.material[f]), f);
+    for (const std::uint32_t f : facets_)
+      keyed_.emplace_back(key_of(corners_[f], target.material[f], target.back_material()[f]), f);
     std::sort(keyed_.begin(), keyed_.end());
   }
 
@@ -80,8 +81,8 @@ class MirrorSearch {
     std::vector<KeyedFacet> images;
     images.reserve(keyed_.size());
     for (const auto& [key, facet] : keyed_) {
-      const auto& [a, b, c, material] = key;
-      images.emplace_back(key_of({(*image)[a], (*image)[c], (*image)[b]}, material), facet);
+      const auto& [a, b, c, front, back] = key;
+      images.emplace_back(key_of({(*image)[a], (*image)[c], (*image)[b]}, front, back), facet);
     }
     std::sort(images.begin(), images.end());
     const auto same = [](const KeyedFacet& a, const KeyedFacet& b) { return a.first == b.first; };
@@ -143,8 +144,12 @@ class MirrorSearch {
     for (std::size_t k = 0; k < images.size(); ++k) image[images[k].second] = keyed_[k].second;
     return std::all_of(coincident_.begin(), coincident_.end(), [&](const CoincidentFacets& pair) {
       const auto [a, b] = pair;
-      return target_.material[a] == target_.material[b] || (a < b) == (image[a] < image[b]);
+      return are_alike(a, b) || (a < b) == (image[a] < image[b]);
     });
+  }
+  // Of opposite facets the one counts whose front is seen, whatever the order.
+  [[nodiscard]] bool are_alike(std::uint32_t a, std::uint32_t b) const {
+    return target_.material[a] == target_.material[b] && target_.back_material()[a] == target_.back_material()[b];
   }
 
   const Target& target_;

@@ -23,19 +23,13 @@ inline constexpr double doubtful_cosine = 16.0 * 0x1p-53;
 // operations and an exponent of up to a hundred. Held by CrossSection.BoundHoldsAgainstExtendedPrecision.
 inline constexpr double model_error = 512.0 * 0x1p-53;
 
-// For a facet that someone sees edge-on, as far as rounding can tell: the most that either side may return [1/sr].
-// pair: a model's for_pair(wi, wr).
+// For a facet that someone sees edge-on, as far as rounding can tell: the most that the side may return which n is the
+// normal of [1/sr]. pair: a model's for_pair(wi, wr).
 template <class Pair>
-[[nodiscard]] double largest_edge_on(const Pair& pair, const Vec3& n, const Vec3& wi, const Vec3& wr, bool front_only) {
-  double most = 0.0;
-  for (const double side : {1.0, -1.0}) {
-    if (side < 0.0 && front_only) continue;
-    Vec3 m = side * n;
-    for (const Vec3& w : {wi, wr})
-      if (std::abs(m.dot(w)) <= doubtful_cosine) m += 2.0 * doubtful_cosine * w;
-    most = std::max(most, pair(m));
-  }
-  return most;
+[[nodiscard]] double largest_edge_on(const Pair& pair, Vec3 n, const Vec3& wi, const Vec3& wr) {
+  for (const Vec3& w : {wi, wr})
+    if (std::abs(n.dot(w)) <= doubtful_cosine) n += 2.0 * doubtful_cosine * w;
+  return std::max(0.0, pair(n));
 }
 
 // How far rounding may move the lobe of a model, for one pair of directions and one normal [1/sr]; 0 of models without.

@@ -20,7 +20,8 @@ namespace lrcs {
 namespace {
 
 TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path& folder) {
-  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "curved", "chord_tolerance", "chord_angle"});
+  node.allow_keys({"file", "unit", "forward", "up", "sides", "repair", "curved", "chord_tolerance", "chord_angle",
+                   "facet_properties"});
   TargetFile target;
   target.file = folder / node.at("file").text();
   target.place = node.at("file").place();
@@ -45,6 +46,10 @@ TargetFile target_from_yaml(const LocatedYaml& node, const std::filesystem::path
   if (node.has("sides") && node.at("sides").one_of({"both", "front"}) == "front") target.sides = Sides::front;
   if (node.has("curved"))
     target.tessellation.curving = curving_from_words(node.at("curved").text(), node.at("curved").place());
+  if (node.has("facet_properties")) {
+    target.facet_properties = folder / node.at("facet_properties").text();
+    target.properties_place = node.at("facet_properties").place();
+  }
   if (node.has("repair")) target.repair = node.at("repair").one_of({"auto", "none"}) == "auto";
   return target;
 }
@@ -77,8 +82,16 @@ std::string key_of_pattern(const LocatedYaml& rule) {
   return found;
 }
 
-AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string>& materials) {
-  node.allow_keys({"part", "file_material", "colour", "layer", "property", "value", "material", "default"});
+std::string material_at(const LocatedYaml& node, const std::vector<std::string>& materials) {
+  const std::string name = node.text();
+  if (std::find(materials.begin(), materials.end(), name) == materials.end())
+    node.fail(fmt::format("unknown material '{}'{} (materials: {})", name, did_you_mean(name, materials),
+                          fmt::join(materials, ", ")));
+  return name;
+}
+
+AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string>& materials, Sides sides) {
+  node.allow_keys({"part", "file_material", "colour", "layer", "property", "value", "material", "default", "back"});
   AssignRule rule;
   std::string key = "material";
   if (node.has("default")) {
@@ -96,10 +109,10 @@ AssignRule rule_from_yaml(const LocatedYaml& node, const std::vector<std::string
     rule.pattern = pattern.text();
     rule.place = pattern.place();
   }
-  rule.material = node.at(key).text();
-  if (std::find(materials.begin(), materials.end(), rule.material) == materials.end())
-    node.at(key).fail(fmt::format("unknown material '{}'{} (materials: {})", rule.material,
-                                  did_you_mean(rule.material, materials), fmt::join(materials, ", ")));
+  rule.material = material_at(node.at(key), materials);
+  if (!node.has("back")) return rule;
+  if (sides == Sides::front) node.key_place("back").fail("with 'sides: front' no back is seen, expected no such key");
+  rule.back = material_at(node.at("back"), materials);
   return rule;
 }
 
@@ -228,7 +241,7 @@ Scene read_scene(const std::filesystem::path& file) {
   const auto names = names_of(scene.materials);
   const LocatedYaml assign = yaml.at("assign");
   scene.assign_place = assign.place();
-  for (const auto& item : assign.items()) scene.assign.push_back(rule_from_yaml(item, names));
+  for (const auto& item : assign.items()) scene.assign.push_back(rule_from_yaml(item, names, scene.target.sides));
   scene.directions = sweep_from_yaml(yaml.at("sweep"));
   if (yaml.has("receiver")) scene.receiver = receiver_from_yaml(yaml.at("receiver"));
   if (yaml.has("accuracy")) scene.relative_accuracy = accuracy_from_yaml(yaml.at("accuracy"));

@@ -20,6 +20,7 @@ struct AssignRule {
   std::string material;    // a name of Scene::materials
   Place place;             // of the pattern, for messages
   std::string property{};  // its name, of By::property
+  std::string back{};      // what the side behind the winding has instead; "": both sides have `material`
 };
 
 // The target's file and how it is to be read.
@@ -31,6 +32,8 @@ struct TargetFile {
   std::string forward = "+x", up = "+z";  // axes of the file: the user's, else the format's
   bool repair = true;
   Sides sides = Sides::both;
+  std::filesystem::path facet_properties{};  // a table of them (mesh/facet_properties_csv.h); "": none
+  Place properties_place{};                  // of its name
 };
 
 // For which directions of the sweep the facets are to be written.

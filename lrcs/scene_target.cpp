@@ -13,6 +13,7 @@
 #include "cad/read_target.h"
 #include "mesh/body_frame.h"
 #include "mesh/corner_normals.h"
+#include "mesh/facet_properties_csv.h"
 #include "mesh/normal_patches.h"
 
 namespace lrcs {
@@ -123,17 +124,26 @@ std::uint32_t index_of(const std::string& name, const std::vector<Material>& mat
   return static_cast<std::uint32_t>(found - materials.begin());
 }
 
+void require_file(const std::filesystem::path& file, const Place& place) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) throw InputError(place, fmt::format("no such file: '{}'", file.string()));
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& scene) {
-  std::vector<std::uint32_t> material(mesh.size(), unassigned);
+FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
+  std::vector<std::uint32_t> material(mesh.size(), unassigned), back(mesh.size());
   for (const AssignRule& rule : scene.assign) {
     const std::uint32_t index = index_of(rule.material, scene.materials);
+    const std::uint32_t behind = rule.back.empty() ? index : index_of(rule.back, scene.materials);
     const bool everything = rule.by == AssignRule::By::everything;
     const FacetNames& told = told_by(rule, mesh);
     const auto matched = everything ? std::vector<bool>{} : matches(rule, told.names);
-    for (std::size_t k = 0; k < mesh.size(); ++k)
-      if (material[k] == unassigned && (everything || matched[told.of[k]])) material[k] = index;
+    for (std::size_t k = 0; k < mesh.size(); ++k) {
+      if (material[k] != unassigned || !(everything || matched[told.of[k]])) continue;
+      material[k] = index;
+      back[k] = behind;
+    }
   }
   const auto left_out = std::find(material.begin(), material.end(), unassigned);
   if (left_out != material.end()) {
@@ -145,7 +155,8 @@ std::vector<std::uint32_t> assign_materials(const FacetMesh& mesh, const Scene& 
                     std::count(material.begin(), material.end(), unassigned), mesh.size(), shown(name_of(mesh.part, k)),
                     also_told(mesh, k)));
   }
-  return material;
+  if (back == material) back.clear();
+  return {std::move(material), std::move(back)};
 }
 
 namespace {
@@ -165,9 +176,9 @@ void curve_by_creases(FacetMesh& mesh, double crease_deg, std::vector<std::strin
 }  // namespace
 
 LoadedTarget load_target(const Scene& scene) {
-  std::error_code none;
-  if (!std::filesystem::exists(scene.target.file, none))
-    throw InputError(scene.target.place, fmt::format("no such file: '{}'", scene.target.file.string()));
+  const std::filesystem::path& properties = scene.target.facet_properties;
+  require_file(scene.target.file, scene.target.place);
+  if (!properties.empty()) require_file(properties, scene.target.properties_place);
   LoadedTarget loaded;
   Target& target = loaded.target;
   loaded.digest = digest_of_file(scene.target.file);
@@ -180,6 +191,10 @@ LoadedTarget load_target(const Scene& scene) {
   loaded.unit = read.unit;
   loaded.tessellation = read.tessellation;
   loaded.warnings = read.warnings;
+  if (!properties.empty()) {
+    add_facet_properties(target.mesh, properties);
+    loaded.properties_digest = digest_of_file(properties);
+  }
   if (scene.target.repair) loaded.repaired = repair(target.mesh);
   place_in_body_frame(target.mesh, target.mesh.metres_per_unit, scene.target.forward, scene.target.up);
   if (scene.target.tessellation.curving.by == Curving::By::estimated_normals)
@@ -187,7 +202,9 @@ LoadedTarget load_target(const Scene& scene) {
   target.curved = CurvedSurface(target.mesh);
   target.materials = scene.materials;
   target.sides = scene.target.sides;
-  target.material = assign_materials(target.mesh, scene);
+  FacetMaterials materials = assign_materials(target.mesh, scene);
+  target.material = std::move(materials.front);
+  target.back = std::move(materials.back);
   return loaded;
 }
 

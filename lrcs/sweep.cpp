@@ -65,8 +65,11 @@ class Sweep {
                                                      : skipped_.fixed_gamma_directions);
     }
     for (std::size_t f = 0; f < target_.mesh.size(); ++f)
-      if (returns_nothing(target_.materials[target_.material[f]])) ++skipped_.facets_without_return;
+      if (is_black(target_.material[f]) && (target_.sides == Sides::front || is_black(target_.back_material()[f])))
+        ++skipped_.facets_without_return;
   }
+
+  [[nodiscard]] bool is_black(std::uint32_t material) const { return returns_nothing(target_.materials[material]); }
 
   // Symmetry is not sought for a convex target: that takes longer than what it could save.
   void find_alike() {
@@ -76,7 +79,7 @@ class Sweep {
     // Curved facets may differ where flat ones do not.
     if (convex_ || !target_.curved.empty()) return;
     // Which facets lie on each other matters only where their materials differ, and is not known without visibility.
-    if (!visibility_ && !has_one_material()) return;
+    if (!visibility_ && !target_.has_one_material()) return;
     const auto coincident = visibility_ ? visibility_->coincident_facets() : std::vector<CoincidentFacets>{};
     const MirrorPlanes planes = mirror_planes(target_, planes_of_use(aspects_), coincident);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -85,10 +88,6 @@ class Sweep {
     for (std::size_t row = 0; row < alike_.size(); ++row)
       if (is_copied(row)) ++skipped_.mirrored_directions;
     skipped_.mirrored_directions -= skipped_.repeated_directions;
-  }
-
-  [[nodiscard]] bool has_one_material() const {
-    return std::ranges::all_of(target_.material, [&](std::uint32_t m) { return m == target_.material.front(); });
   }
 
   [[nodiscard]] bool has_pairs() const {

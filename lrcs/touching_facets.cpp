@@ -26,9 +26,7 @@ RTCRayHit short_ray(std::uint32_t facet, const Vec3& from, const Vec3& along) {
 }  // namespace
 
 TouchingFacets::TouchingFacets(const Target& target, const EmbreeScene& scene) : mesh_(target.mesh), scene_(scene) {
-  bool one_material = true;
-  for (const std::uint32_t m : target.material) one_material = one_material && m == target.material.front();
-  if (one_material && target.sides == Sides::both) return;
+  if (target.has_one_material() && target.sides == Sides::both) return;
   touched_.assign(mesh_.size(), 0);
   const FlushDenormals flush;
   for (std::uint32_t f = 0; f < mesh_.size(); ++f) probe(f);

@@ -21,7 +21,8 @@ UnmetReturns::UnmetReturns(const Target& target) : target_(target), returns_(tar
     add_retro(m);
     brightest.push_back(*std::max_element(retro_.end() - bins, retro_.end()));
   }
-  for (const std::uint32_t m : target.material) brightest_retro_ = std::max(brightest_retro_, brightest[m]);
+  for (const auto* materials : {&target.material, &target.back})
+    for (const std::uint32_t m : *materials) brightest_retro_ = std::max(brightest_retro_, brightest[m]);
 }
 
 // The larger at a bin's ends.
@@ -54,9 +55,10 @@ UnmetReturns::Excess UnmetReturns::retro_excess(double largest, const Vec3& d, d
   for (std::size_t f = 0; f < mesh.size() && found.sum < enough; ++f) {
     double cosine = mesh.normals[f].dot(d);
     if (cosine < 0.0 && target_.sides == Sides::front) continue;
+    const std::size_t material = (cosine < 0.0 ? target_.back_material() : target_.material)[f];
     cosine = std::min(std::abs(cosine), 1.0);
     const auto bin = static_cast<std::size_t>(bins * std::sqrt(1.0 - cosine));
-    const double more = retro_[target_.material[f] * bins + std::min(bin, bins - 1)] - largest;
+    const double more = retro_[material * bins + std::min(bin, bins - 1)] - largest;
     if (more <= 0.0) continue;
     found.most = std::max(found.most, more);
     found.sum += more * cosine * mesh.areas[f];

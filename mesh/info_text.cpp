@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 namespace lrcs {
@@ -211,10 +212,14 @@ std::string rule(const char* key, const std::string& pattern, const std::string&
   return fmt::format("  - {{{}: {}, material: MATERIAL}}  # {}\n", key, quoted(pattern), comment);
 }
 
+// Scans have a colour a face.
+constexpr std::size_t most_rules = 100;
+
 std::string rules_by(const char* key, const std::vector<NamedFacets>& names) {
   std::string rules;
-  for (const NamedFacets& n : names)
+  for (const NamedFacets& n : std::span(names).first(std::min(most_rules, names.size())))
     rules += rule(key, pattern_of(n.name, false), fmt::format("{} facets, area {:.4g}", n.facets, n.area));
+  if (names.size() > most_rules) rules += fmt::format("  # and {} more\n", names.size() - most_rules);
   return rules;
 }
 

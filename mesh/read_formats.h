@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/facet_mesh.h"
 
@@ -26,11 +27,13 @@ namespace lrcs {
 // Binary STL, one part "". The count in the header must fit the size of the file.
 [[nodiscard]] FacetMesh read_binary_stl(std::string_view content, const std::string& file);
 
-// Wavefront OBJ: v, f, o, g, usemtl; all else is passed over. Negative indices count back from the last vertex.
-[[nodiscard]] FacetMesh read_obj(std::string_view content, const std::string& file);
+// Wavefront OBJ: v, f, o, g, usemtl, and mtllib for colours; all else is passed over. Negative indices count back from
+// the last vertex. Libraries are looked for beside the file. warnings: as of read_mesh().
+[[nodiscard]] FacetMesh read_obj(std::string_view content, const std::string& file, std::vector<std::string>* warnings);
 
 // Polygon File Format 1.0: element vertex with x, y, z of any type, element face with a list vertex_indices (or
-// vertex_index) of any integer type, in this order. Other elements and properties are passed over.
+// vertex_index) of any integer type, in this order. Bytes red, green and blue of a face are its colour; its other
+// integers are properties of facets. Floats, lists, other elements and what else vertices have are passed over.
 [[nodiscard]] FacetMesh read_ply(std::string_view content, const std::string& file);
 
 // Object File Format as text: OFF with any of the prefixes ST, C, N, one vertex or face a line. What follows a vertex's

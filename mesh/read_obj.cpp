@@ -1,19 +1,23 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 #include <utility>
 
 #include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
+#include "mesh/mtl_colours.h"
 #include "mesh/read_formats.h"
 
 namespace lrcs {
 namespace {
 
-// Faces may come before their vertices, so vertices are read first.
-void read_vertices(TextScanner scanner, MeshBuilder& builder) {
+// Faces may come before their vertices and the colours of their materials, so these are read first.
+void read_vertices(TextScanner scanner, MeshBuilder& builder, MtlColours& colours) {
   do {
-    if (scanner.word() != "v") continue;
+    const std::string_view keyword = scanner.word();
+    if (keyword == "mtllib") colours.add_libraries(scanner.rest_of_line());
+    if (keyword != "v") continue;
     const double x = coordinate(scanner);
     const double y = coordinate(scanner);
     builder.add_position({x, y, coordinate(scanner)});
@@ -35,8 +39,11 @@ std::uint32_t vertex_index(const TextScanner& scanner, std::string_view word, st
 
 class Faces {
  public:
-  Faces(TextScanner scanner, MeshBuilder& builder)
-      : scanner_(std::move(scanner)), builder_(builder), all_(static_cast<std::int64_t>(builder.position_count())) {}
+  Faces(TextScanner scanner, MeshBuilder& builder, const MtlColours& colours)
+      : scanner_(std::move(scanner)),
+        builder_(builder),
+        colours_(colours),
+        all_(static_cast<std::int64_t>(builder.position_count())) {}
 
   void read() {
     do {
@@ -49,7 +56,12 @@ class Faces {
     if (keyword == "v") ++before_;
     if (keyword == "f") read_face();
     if (keyword == "o" || keyword == "g") builder_.begin_part(scanner_.rest_of_line());
-    if (keyword == "usemtl") builder_.begin_material(scanner_.rest_of_line());
+    if (keyword == "usemtl") begin_material(scanner_.rest_of_line());
+  }
+
+  void begin_material(std::string_view name) {
+    builder_.begin_material(name);
+    builder_.begin_colour(colours_.of(name));
   }
 
   void read_face() {
@@ -62,6 +74,7 @@ class Faces {
 
   TextScanner scanner_;
   MeshBuilder& builder_;
+  const MtlColours& colours_;
   std::vector<std::uint32_t> corners_;
   std::int64_t before_ = 0;  // vertices above this line
   std::int64_t all_;
@@ -69,11 +82,12 @@ class Faces {
 
 }  // namespace
 
-FacetMesh read_obj(std::string_view content, const std::string& file) {
+FacetMesh read_obj(std::string_view content, const std::string& file, std::vector<std::string>* warnings) {
   const TextScanner scanner(content, file);
   MeshBuilder builder;
-  read_vertices(scanner, builder);
-  Faces(scanner, builder).read();
+  MtlColours colours(std::filesystem::path(file).parent_path(), warnings);
+  read_vertices(scanner, builder, colours);
+  Faces(scanner, builder, colours).read();
   return builder.finish();
 }
 

@@ -1,12 +1,17 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/input_error.h"
 #include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/ply_header.h"
+#include "mesh/polygon_words.h"
 #include "mesh/read_formats.h"
 
 namespace lrcs {
@@ -131,37 +136,107 @@ void read_corners(Rows& rows, const PlyProperty& property, std::int64_t vertices
   }
 }
 
-template <class Rows>
-void read_face(Rows& rows, const PlyElement& element, MeshBuilder& builder, std::vector<std::uint32_t>& corners) {
-  for (const PlyProperty& property : element.properties) {
-    if (is_index_list(property))
-      read_corners(rows, property, static_cast<std::int64_t>(builder.position_count()), corners);
-    else
-      skip(rows, property);
-  }
-  builder.add_polygon(corners);
+// What is read of a face besides its corners.
+bool is_word(const PlyProperty& property) {
+  return is_scalar(property) && is_integer(property.type);
 }
+
+bool fits(std::int64_t value, PlyType type) {
+  const bool has_sign = type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32;
+  const std::int64_t values = std::int64_t{1} << (8 * size_in_bytes(type));
+  const std::int64_t low = has_sign ? -values / 2 : 0;
+  return value >= low && value < low + values;
+}
+
+// The rows of element face: corners, and red, green and blue as a colour, other whole numbers as properties.
+class Faces {
+ public:
+  Faces(const PlyElement& element, MeshBuilder& builder) : element_(element), builder_(builder) {
+    coloured_ = std::all_of(channel_names.begin(), channel_names.end(), [&](std::string_view name) {
+      return std::any_of(element.properties.begin(), element.properties.end(), [&](const PlyProperty& property) {
+        return is_scalar(property) && property.type == PlyType::uint8 && property.name == name;
+      });
+    });
+    words_.resize(element.properties.size());
+  }
+
+  template <class Rows>
+  void read_row(Rows& rows) {
+    for (std::size_t k = 0; k < words_.size(); ++k) {
+      const PlyProperty& property = element_.properties[k];
+      if (is_index_list(property))
+        read_corners(rows, property, static_cast<std::int64_t>(builder_.position_count()), corners_);
+      else if (is_word(property))
+        take(rows, k);
+      else
+        skip(rows, property);
+    }
+    if (coloured_) builder_.begin_colour(fmt::format("#{:02x}{:02x}{:02x}", channels_[0], channels_[1], channels_[2]));
+    builder_.add_polygon(corners_);
+    ++row_;
+  }
+
+  [[nodiscard]] std::vector<FacetProperty> properties(const FacetMesh& mesh) const {
+    std::vector<FacetProperty> properties;
+    for (std::size_t k = 0; k < words_.size(); ++k)
+      if (const PlyProperty& p = element_.properties[k]; is_word(p) && channel_of(p) == channel_names.size())
+        properties.push_back({p.name, words_[k].of_facets(mesh)});
+    return properties;
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 3> channel_names{"red", "green", "blue"};
+
+  // One behind the last of properties that are none.
+  [[nodiscard]] std::size_t channel_of(const PlyProperty& property) const {
+    if (!coloured_) return channel_names.size();
+    return static_cast<std::size_t>(std::find(channel_names.begin(), channel_names.end(), property.name) -
+                                    channel_names.begin());
+  }
+
+  template <class Rows>
+  void take(Rows& rows, std::size_t k) {
+    const PlyProperty& property = element_.properties[k];
+    const std::int64_t value = rows.integer(property.type);
+    if (!fits(value, property.type)) rows.fail(fmt::format("{} is no value of its property's type", value));
+    if (const std::size_t channel = channel_of(property); channel < channels_.size())
+      channels_[channel] = value;
+    else
+      words_[k].set(row_, fmt::to_string(value));
+  }
+
+  const PlyElement& element_;
+  MeshBuilder& builder_;
+  bool coloured_ = false;
+  std::array<std::int64_t, 3> channels_{};
+  std::vector<PolygonWords> words_;  // one a property
+  std::vector<std::uint32_t> corners_;
+  std::size_t row_ = 0;
+};
 
 template <class Rows>
 FacetMesh read_rows(Rows rows, const PlyHeader& header) {
   MeshBuilder builder;
-  std::vector<std::uint32_t> corners;
+  std::optional<Faces> faces;
   for (const PlyElement& element : header.elements) {
     // Rows of no properties take no bytes: there may be any number of them.
     if (element.properties.empty()) continue;
+    if (element.name == "face") faces.emplace(element, builder);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
       if (element.name == "vertex") {
         read_vertex(rows, element, builder);
       } else if (element.name == "face") {
-        read_face(rows, element, builder, corners);
+        faces->read_row(rows);
       } else {
         for (const PlyProperty& property : element.properties) skip(rows, property);
       }
       rows.end_row();
     }
   }
-  return builder.finish();
+  FacetMesh mesh = builder.finish();
+  mesh.properties = faces->properties(mesh);
+  return mesh;
 }
 
 // The header must describe a surface before any row is read.
@@ -195,6 +270,10 @@ class SurfaceCheck {
     for (const PlyProperty& p : element.properties) found += is_index_list(p) ? 1 : 0;
     if (found != 1)
       fail(element.line, fmt::format("element face has {} integer lists vertex_indices, expected one", found));
+    for (const PlyProperty& p : element.properties)
+      if (std::count_if(element.properties.begin(), element.properties.end(),
+                        [&](const PlyProperty& other) { return is_word(other) && other.name == p.name; }) > 1)
+        fail(element.line, fmt::format("element face has a property {} twice, expected once", shown(p.name)));
   }
 
   const std::string& file_;

@@ -2,6 +2,7 @@
 
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -10,6 +11,7 @@
 #include <TopoDS_Compound.hxx>
 #include <gp_GTrsf.hxx>
 #include <gp_Parab.hxx>
+#include <gp_Sphere.hxx>
 #include <random>
 
 #include "base/direction.h"
@@ -237,6 +239,22 @@ TEST(CurvedSections, ConvergesAtFourthOrderAndFlatFacetsAtSecond) {
       EXPECT_GE(order, 4.0);
     else
       EXPECT_NEAR(order, 2.0, 0.5);
+  }
+}
+
+// Half a sphere, dome and bowl: from straight above and below each returns what the whole sphere would.
+TEST(CurvedSections, OfASheetReturnFromEachSideWhatItsMaterialDoes) {
+  const gp_Sphere ball(gp_Ax3(), m);
+  Target target =
+      target_of(BRepBuilderAPI_MakeFace(ball, 0.0, 2.0 * std::numbers::pi, 0.0, 0.5 * std::numbers::pi).Shape(), 3.7);
+  ASSERT_FALSE(target.curved.empty());
+  constexpr double front = 0.8, back = 0.3;
+  target.materials = {{"front", Lambert(front), 0.0, ""}, {"back", Lambert(back), 0.0, ""}};
+  target.back.assign(target.mesh.size(), 1);
+  for (const double side : {1.0, -1.0}) {
+    const double expected = 8.0 / 3.0 * std::numbers::pi * (side > 0.0 ? front : back);
+    const Aspect from = aspect({0, 90.0 * side}, {0, 90.0 * side});
+    EXPECT_NEAR(run_sweep(target, {from}, 1)[0].sigma.value, expected, 3e-6 * expected);
   }
 }
 

@@ -42,6 +42,8 @@ std::vector<BadScene> bad_scenes() {
        "6:20: expected a positive length with its unit, such as '1.06 um', found 'fine'"},
       {"ChordAngleTooLarge", "unit: m\n", "unit: m\n  chord_angle: 100\n",
        "6:16: expected 0.1..90 deg from edge to edge, found 100"},
+      {"MissingFacetProperties", "unit: m\n", "unit: m\n  facet_properties: none.csv\n",
+       "6:21: no such file: 'none.csv'"},
       {"UnmatchedColour", "part: \"panel*\"", "colour: \"#ff0000\"",
        "10:14: pattern '#ff0000' matches no colour of the target (the file has no colours)"},
       {"RuleByTwo", "part: \"panel*\"", "part: \"panel*\", colour: \"#ff0000\"",
@@ -55,6 +57,9 @@ std::vector<BadScene> bad_scenes() {
        "{default: MATERIAL}"},
       {"UnknownMaterial", "default: white", "default: wihte",
        "11:15: unknown material 'wihte', did you mean 'white'? (materials: skin, white)"},
+      {"UnknownBack", "part: \"panel*\"", "part: \"panel*\", back: wihte",
+       "10:28: unknown material 'wihte', did you mean 'white'? (materials: skin, white)"},
+      {"BackWithoutFront", "default: white", "part: body, back: white", "11:5: key 'material' is missing"},
       {"UnknownLibraryMaterial", "metal-skin-5p", "metal-skim-5p",
        "7:19: unknown library material 'metal-skim-5p', did you mean 'metal-skin-5p'? (known: metal-skin-5p, "
        "metal-skin-9p, painted-steel-5p, painted-steel-9p)"},

@@ -203,6 +203,32 @@ TEST_F(Sweep, WritesFacetsWhoseSharesSumToSigma) {
   }
 }
 
+// A sheet with its front up, seen from above and below.
+TEST_F(Sweep, TellsTheMaterialOfTheSideThatIsSeen) {
+  folder_.write("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  folder_.write("scene.yaml", R"(lrcs: 1
+target: {file: sheet.off, unit: m}
+materials: {cells: {model: lambert, reflectance: 0.1}, foil: {model: lambert, reflectance: 0.9}}
+assign: [{part: "*", material: cells, back: foil}]
+sweep: {azimuth: 0, elevation: [90, -90]}
+output: {facets: all}
+)");
+  ASSERT_EQ(run().status, 0);
+  for (const int k : {0, 1}) {
+    const double reflectance = k == 0 ? 0.1 : 0.9;
+    EXPECT_EQ(facets(k)->GetCellData()->GetArray("material")->GetTuple1(0), k);
+    EXPECT_NEAR(table().rows.at(static_cast<std::size_t>(k))[sigma_column], 4.0 * reflectance * 0.5, 1e-12);
+  }
+  const Json json = manifest();
+  EXPECT_EQ(json["assign"], Json::parse(R"([{"part": "*", "material": "cells", "back": "foil"}])"));
+  EXPECT_EQ(json["materials"][0]["facets"], 1);
+  EXPECT_EQ(json["materials"][0]["backs"], 0);
+  EXPECT_EQ(json["materials"][1]["facets"], 0);
+  EXPECT_EQ(json["materials"][1]["backs"], 1);
+  EXPECT_NE(run_lrcs({"check", "scene.yaml"}, {folder_.path()}).out.find("material    foil: 0 facets, 1 from behind\n"),
+            std::string::npos);
+}
+
 TEST_F(Sweep, NumbersFacetFilesByTheirPlaceInTheSceneAndSaysTheirDirections) {
   ask_for("[{azimuth: 30, elevation: 0}, {azimuth: 0, elevation: 0}]");
   ASSERT_EQ(run().status, 0);
@@ -250,6 +276,26 @@ TEST_F(Sweep, ListsInputsAndOutputsWithTheirDigests) {
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "out"))
     in_folder += entry.path().filename() == "manifest.json" ? 0 : 1;
   EXPECT_EQ(in_folder, names.size());
+}
+
+TEST_F(Sweep, RecordsTheTableOfFacetPropertiesThatItAssignedBy) {
+  folder_.write("zones.csv", "facet,zone\n3,hot\n11,hot\n");
+  folder_.write("scene.yaml", R"(lrcs: 1
+target: {file: box.stl, unit: m, facet_properties: zones.csv}
+materials: {white: {model: lambert, reflectance: 1}, black: {model: lambert, reflectance: 0}}
+assign: [{property: zone, value: hot, material: black}, {default: white}]
+sweep: {azimuth: 0}
+)");
+  ASSERT_EQ(run().status, 0);
+  const Json json = manifest();
+  EXPECT_EQ(json["target"]["facet_properties"]["file"], "zones.csv");
+  EXPECT_EQ(json["target"]["facet_properties"]["sha256"], digest_of(folder_.read("zones.csv")));
+  EXPECT_EQ(json["materials"][1]["facets"], 2);
+  EXPECT_EQ(json["assign"][0], Json::parse(R"({"property": "zone", "value": "hot", "material": "black"})"));
+  folder_.write("zones.csv", "facet,zone\n24,hot\n");
+  const Outcome wrong = run();
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "lrcs: zones.csv:2:1: expected the number of a facet, 0 to 23, found '24'\n");
 }
 
 TEST_F(Sweep, WarnsOfAMaterialForAnotherWavelengthAndNamesBoth) {

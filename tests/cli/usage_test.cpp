@@ -97,6 +97,9 @@ std::vector<Wrong> wrong_words() {
       {with(by_flags, {"-t", "-1"}), "--threads: expected a number of threads, 1 to 4096, found '-1'" + see_sweep},
       {with(by_flags, {"-t", "two"}), "--threads: expected a number of threads, 1 to 4096, found 'two'" + see_sweep},
       {{"info", "none.stl"}, "none.stl: cannot be read: No such file or directory"},
+      {{"info", "box.stl", "--chord-angle", "100"}, "--chord-angle: expected 0.1..90 deg from edge to edge, found 100"},
+      {{"info", "box.stl", "--chord-angle", "fine"}, "--chord-angle: expected a number, found 'fine'"},
+      {{"info", "box.stl", "--facet-properties", "none.csv"}, "none.csv: cannot be read: No such file or directory"},
       {{"info", "box.stl", "--unit", "q"}, "--unit: unknown length unit 'q' (known: " + units + ")"},
       {{"brdf", "lambert:0.5", "--theta-i", "95"},
        "--theta-i: expected an angle of incidence of 0 to below 90 deg, found 95"},
@@ -194,6 +197,36 @@ TEST(Info, PrintsTextAndJson) {
   EXPECT_EQ(info["unit"], "mm");
   EXPECT_EQ(info["parts"].size(), 2U);
   EXPECT_NEAR(info["area_m2"].get<double>(), (10.0 + 1.84) * 1e-6, 1e-18);  // 2x1x1 and 0.4x1.4x0.2
+}
+
+TEST(Info, TakesTheFinenessOfCadSurfaces) {
+  const auto facets = [](const Words& more) {
+    const Outcome outcome = run_lrcs(with({"info", LRCS_EXAMPLES "/as1/as1-oc-214.stp", "--json"}, more));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out)["facets"].get<std::size_t>();
+  };
+  EXPECT_LT(facets({"--chord-angle", "30", "--chord-tolerance", "0.1"}), facets({"--chord-tolerance", "0.1"}));
+}
+
+TEST(Info, CountsTheValuesOfATableOfFacetProperties) {
+  const ScratchFolder folder;
+  folder.write("box.stl", two_boxes());
+  folder.write("zones.csv", "facet,zone\n0,hot\n7,cold\n");
+  const Outcome json = run_lrcs({"info", "box.stl", "--facet-properties", "zones.csv", "--json"}, {folder.path()});
+  EXPECT_EQ(json.status, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["properties"], nlohmann::json({"zone (3 values)"}));
+}
+
+TEST(Check, SaysWhichMaterialLibraryIsMissing) {
+  const ScratchFolder folder;
+  folder.write("a.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+  folder.write("scene.yaml",
+               "lrcs: 1\ntarget: {file: a.obj, unit: m}\nmaterials: {w: {model: lambert, reflectance: 1}}\n"
+               "assign: [{default: w}]\nsweep: {azimuth: 0}\n");
+  const Outcome outcome = run_lrcs({"check", "scene.yaml"}, {folder.path()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "lrcs: warning: none.mtl: cannot be read: No such file or directory; its materials have no colours\n");
 }
 
 TEST(Check, CountsAndComputesNothing) {

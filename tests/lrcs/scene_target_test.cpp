@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/digest.h"
 #include "tests/lrcs/test_targets.h"
 #include "tests/scratch_folder.h"
 
@@ -43,20 +44,25 @@ std::string complaint_about(std::vector<AssignRule> rules) {
   }
 }
 
+Indices fronts(const FacetMesh& mesh, std::vector<AssignRule> rules) {
+  const FacetMaterials assigned = assign_materials(mesh, scene_of(std::move(rules)));
+  EXPECT_TRUE(assigned.back.empty());
+  return assigned.front;
+}
+
 TEST(AssignMaterials, GivesEveryFacetTheFirstRuleThatMatches) {
-  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "panel 2", "b"), rule(By::part, "panel*", "c"),
-                                                     rule(By::everything, "", "a")})),
+  EXPECT_EQ(fronts(four_parts(),
+                   {rule(By::part, "panel 2", "b"), rule(By::part, "panel*", "c"), rule(By::everything, "", "a")}),
             (Indices{2, 1, 0, 0}));
-  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "panel*", "c"), rule(By::part, "panel 2", "b"),
-                                                     rule(By::everything, "", "a")})),
+  EXPECT_EQ(fronts(four_parts(),
+                   {rule(By::part, "panel*", "c"), rule(By::part, "panel 2", "b"), rule(By::everything, "", "a")}),
             (Indices{2, 2, 0, 0}));
-  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::everything, "", "a"), rule(By::part, "nose", "b")})),
-            (Indices{0, 0, 0, 0}));
+  EXPECT_EQ(fronts(four_parts(), {rule(By::everything, "", "a"), rule(By::part, "nose", "b")}), (Indices{0, 0, 0, 0}));
 }
 
 TEST(AssignMaterials, TakesShellPatterns) {
   const auto matched = [](const std::string& pattern) {
-    return assign_materials(four_parts(), scene_of({rule(By::part, pattern, "b"), rule(By::everything, "", "a")}));
+    return fronts(four_parts(), {rule(By::part, pattern, "b"), rule(By::everything, "", "a")});
   };
   EXPECT_EQ(matched("*"), (Indices{1, 1, 1, 1}));
   EXPECT_EQ(matched("panel ?"), (Indices{1, 1, 0, 0}));
@@ -66,8 +72,8 @@ TEST(AssignMaterials, TakesShellPatterns) {
 }
 
 TEST(AssignMaterials, GoesByTheMaterialsOfTheFileToo) {
-  EXPECT_EQ(assign_materials(four_parts(), scene_of({rule(By::part, "body", "c"), rule(By::file_material, "Gold", "a"),
-                                                     rule(By::file_material, "[ST]i*", "b")})),
+  EXPECT_EQ(fronts(four_parts(), {rule(By::part, "body", "c"), rule(By::file_material, "Gold", "a"),
+                                  rule(By::file_material, "[ST]i*", "b")}),
             (Indices{0, 1, 2, 1}));
 }
 
@@ -75,9 +81,9 @@ TEST(AssignMaterials, GoesByColoursAndLayersToo) {
   FacetMesh mesh = four_parts();
   mesh.colour = {{0, 1, 1, 0}, {"#c0c0c0", "#00ff7f"}};
   mesh.layer = {{0, 0, 1, 0}, {"", "paint"}};
-  EXPECT_EQ(assign_materials(mesh, scene_of({rule(By::layer, "paint", "c"), rule(By::colour, "#00FF7F", "b"),
-                                             rule(By::everything, "", "a")})),
-            (Indices{0, 1, 2, 0}));
+  EXPECT_EQ(
+      fronts(mesh, {rule(By::layer, "paint", "c"), rule(By::colour, "#00FF7F", "b"), rule(By::everything, "", "a")}),
+      (Indices{0, 1, 2, 0}));
 }
 
 TEST(AssignMaterials, GoesByAPropertyOfFacets) {
@@ -85,7 +91,7 @@ TEST(AssignMaterials, GoesByAPropertyOfFacets) {
   mesh.properties = {{"coating", {{1, 0, 1, 2}, {"3", "17", "4"}}}};
   AssignRule by_coating = rule(By::property, "1?", "b");
   by_coating.property = "coating";
-  EXPECT_EQ(assign_materials(mesh, scene_of({by_coating, rule(By::everything, "", "a")})), (Indices{1, 0, 1, 0}));
+  EXPECT_EQ(fronts(mesh, {by_coating, rule(By::everything, "", "a")}), (Indices{1, 0, 1, 0}));
   const auto complaint = [&](const AssignRule& wrong) {
     try {
       (void)assign_materials(mesh, scene_of({wrong, rule(By::everything, "", "a")}));
@@ -101,6 +107,19 @@ TEST(AssignMaterials, GoesByAPropertyOfFacets) {
   EXPECT_EQ(complaint(by_coating),
             "scene.yaml:10:5: the target has no facet property 'coatin', did you mean 'coating'? (properties: "
             "'coating')");
+}
+
+TEST(AssignMaterials, GivesBacksTheirOwnWhereARuleSaysSo) {
+  const auto assigned = [](const std::string& back_of_panels, const std::string& back_of_all) {
+    AssignRule panels = rule(By::part, "panel*", "c"), all = rule(By::everything, "", "a");
+    panels.back = back_of_panels;
+    all.back = back_of_all;
+    return assign_materials(four_parts(), scene_of({panels, all}));
+  };
+  EXPECT_EQ(assigned("b", "").front, (Indices{2, 2, 0, 0}));
+  EXPECT_EQ(assigned("b", "").back, (Indices{1, 1, 0, 0}));
+  EXPECT_EQ(assigned("", "b").back, (Indices{2, 2, 1, 1}));
+  EXPECT_EQ(assigned("c", "a").back, Indices{});
 }
 
 TEST(AssignMaterials, SaysWhereAFileHasNoColours) {
@@ -142,6 +161,23 @@ TEST(LoadTarget, PlacesRepairsAndAssigns) {
   scene.target.repair = false;
   EXPECT_EQ(load_target(scene).target.mesh.size(), 3U);
   EXPECT_EQ(load_target(scene).repaired.degenerate, 0U);
+}
+
+TEST(LoadTarget, AssignsByATableOfFacetProperties) {
+  const ScratchFolder folder;
+  folder.write("t.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n3 0 1 2\n3 0 2 3\n");
+  folder.write("zones.csv", "facet,zone\n1,hot\n");
+  AssignRule hot = rule(By::property, "hot", "b");
+  hot.property = "zone";
+  Scene scene = scene_of({hot, rule(By::everything, "", "a")});
+  scene.target.file = folder.path() / "t.off";
+  scene.target.unit = "m";
+  scene.target.facet_properties = folder.path() / "zones.csv";
+  const LoadedTarget loaded = load_target(scene);
+  EXPECT_EQ(loaded.target.material, (Indices{0, 1}));
+  EXPECT_EQ(loaded.properties_digest, digest_of("facet,zone\n1,hot\n"));
+  scene.target.facet_properties.clear();
+  EXPECT_THROW((void)load_target(scene), InputError);
 }
 
 TEST(LoadTarget, TakesCadSurfacesAsCurvedUnlessToldNotTo) {

@@ -23,6 +23,7 @@ target:
   curved: auto                  # of CAD surfaces: integrated over the true surface; none: over its flat facets
   chord_tolerance: 1e-3         # of CAD surfaces: how far facets may lie off them, of a part's size, or a length (0.1 mm)
   chord_angle: 8                # the same: how far they may turn from edge to edge [deg]
+  facet_properties: zones.csv   # more that facets can be told apart by: facet,NAME[,NAME...]
 materials:
   skin:  {library: metal-skin-5p}
   paint: {model: five_parameter, kb: 0.153, kr: 0.456, b: -26.998, a: 0.667, kd: 0.015, azimuth_of_specular: 180}
@@ -60,6 +61,7 @@ TEST_F(SceneFile, OfTheManualIsAcceptedAsItStands) {
   EXPECT_EQ(scene.target.tessellation.relative, 1e-3);
   EXPECT_EQ(scene.target.tessellation.absolute, std::nullopt);
   EXPECT_EQ(scene.target.tessellation.angle_deg, 8.0);
+  EXPECT_EQ(scene.target.facet_properties, folder_.path() / "zones.csv");
   EXPECT_EQ(scene.target.forward, "+x");
   EXPECT_EQ(scene.target.up, "+z");
   EXPECT_EQ(scene.target.sides, Sides::both);
@@ -123,6 +125,27 @@ TEST_F(SceneFile, TakesAnAccuracyAndFacets) {
   EXPECT_EQ(scene.relative_accuracy, 1e-3);
   EXPECT_TRUE(scene.facets.all);
   EXPECT_FALSE(read(shortest + "sweep: {azimuth: 0}\noutput: {facets: none}\n").facets.all);
+}
+
+TEST_F(SceneFile, TakesAMaterialOfBacksUnlessNoneIsSeen) {
+  const auto with_back = [](const std::string& sides) {
+    return "lrcs: 1\ntarget: {file: a.stl, unit: m, sides: " + sides +
+           "}\nmaterials: {w: {model: lambert, reflectance: 1}, b: {model: lambert, reflectance: 0, wavelength: 532 "
+           "nm}}\nassign: [{part: wing, material: w, back: b}, {default: w, back: w}, {default: w}]\n"
+           "wavelength: 1.06 um\nsweep: {azimuth: 0}\n";
+  };
+  const Scene scene = read(with_back("both"));
+  EXPECT_EQ(scene.assign[0].back, "b");
+  EXPECT_EQ(scene.assign[1].back, "w");
+  EXPECT_EQ(scene.assign[2].back, "");
+  EXPECT_THAT(wavelength_warnings(scene),
+              testing::ElementsAre("material 'b' is for 0.532 um, the scene is at 1.06 um"));
+  try {
+    (void)read(with_back("front"));
+    FAIL() << "taken";
+  } catch (const InputError& wrong) {
+    EXPECT_THAT(wrong.what(), testing::HasSubstr("scene.yaml:4:36: with 'sides: front' no back is seen"));
+  }
 }
 
 TEST_F(SceneFile, WarnsOnlyOfMaterialsForAnotherWavelength) {

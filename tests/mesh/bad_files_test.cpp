@@ -204,6 +204,21 @@ TEST(BadPly, HasRowsThatAreWrong) {
             "a.ply:13:1: the file ends here, expected row 1 of 1 of element face");
 }
 
+TEST(BadPly, HasFacesWhoseWordsAreWrong) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  const auto complaint = [&](const std::string& properties, const std::string& row) {
+    return complaint_about("a.ply", ply_of(ply_vertices + ply_faces + properties, vertices + row));
+  };
+  const std::string bytes = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  EXPECT_EQ(complaint(bytes, "3 0 1 2 0 256 0\n"), "a.ply:16:11: 256 is no value of its property's type");
+  EXPECT_EQ(complaint("property char zone\n", "3 0 1 2 -129\n"), "a.ply:14:9: -129 is no value of its property's type");
+  EXPECT_EQ(complaint("property char zone\n", "3 0 1 2 x\n"), "a.ply:14:9: expected an integer, found 'x'");
+  EXPECT_EQ(complaint("property char zone\n", "3 0 1 2\n"),
+            "a.ply:14:8: expected an integer, found the end of the line");
+  EXPECT_EQ(complaint("property char zone\nproperty int zone\n", "3 0 1 2 3 4\n"),
+            "a.ply:7: element face has a property zone twice, expected once");
+}
+
 TEST(BadPly, HasBinaryRowsThatAreWrong) {
   const std::string good = ply(unit_box(), "binary_big_endian");
   EXPECT_EQ(complaint_about("a.ply", good.substr(0, good.size() - 1)),

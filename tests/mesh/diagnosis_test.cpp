@@ -1,5 +1,6 @@
 #include "mesh/diagnosis.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -215,6 +216,19 @@ TEST(InfoText, SaysWhereTheCountOfSelfIntersectionsStopped) {
   const auto json = nlohmann::json::parse(info_json(d, {"", "mm", "", {}}));
   EXPECT_EQ(json["diagnosis"]["self_intersections"], 5);
   EXPECT_EQ(json["diagnosis"]["self_intersections_complete"], false);
+}
+
+TEST(InfoText, NamesAHundredColoursAtMost) {
+  FacetMesh mesh = mesh_of({}, {});
+  for (int k = 0; k < 102; ++k) {
+    mesh = joined(mesh, mesh_of({{3.0 * k, 0, 0}, {3.0 * k + 1, 0, 0}, {3.0 * k, 1, 0}}, {{0, 1, 2}}));
+    mesh.colour.of.push_back(static_cast<std::uint32_t>(k));
+    mesh.colour.names.push_back(fmt::format("#0000{:02x}", k));
+  }
+  const std::string text = info_text(diagnose(mesh), {"scan.ply", "mm", "", {}});
+  EXPECT_NE(text.find("\"#000063\""), std::string::npos);
+  EXPECT_EQ(text.find("\"#000064\""), std::string::npos);
+  EXPECT_NE(text.find("  # and 2 more\n  - {default: MATERIAL}\n"), std::string::npos);
 }
 
 TEST(InfoText, TellsAPersonWhatWasRead) {

@@ -150,6 +150,57 @@ TEST(ReadPly, PassesOverOtherElementsAndProperties) {
   EXPECT_EQ(mesh.facets, (Triangles{{0, 1, 2}}));
 }
 
+// A quadrilateral and two triangles; what faces have before and behind their corners.
+std::string ply_with_words(const std::string& before, const std::string& behind, const std::string& rows) {
+  return "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+         "element face 3\n" +
+         before + "property list uchar int vertex_indices\n" + behind + "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" +
+         rows;
+}
+
+TEST(ReadPly, TakesColoursOfFacesAndTheirOtherWholeNumbersAsProperties) {
+  const FacetMesh mesh = mesh_of_file(
+      "a.ply",
+      ply_with_words("property short zone\nproperty uchar blue\n",
+                     "property uchar red\nproperty uchar alpha\nproperty float quality\nproperty uchar green\n"
+                     "property list uchar int more\n",
+                     "-7 0 4 0 1 2 3 255 9 nan 128 1 5\n12 51 3 0 1 2 0 9 1 0 0\n-7 0 3 0 2 3 255 8 1 128 0\n"));
+  EXPECT_EQ(mesh.colour.names, (std::vector<std::string>{"#ff8000", "#000033"}));
+  EXPECT_EQ(mesh.colour.of, (std::vector<std::uint32_t>{0, 0, 1, 0}));
+  ASSERT_EQ(mesh.properties.size(), 2U);
+  EXPECT_EQ(mesh.properties[0].name, "zone");
+  EXPECT_EQ(mesh.properties[0].values.names, (std::vector<std::string>{"-7", "12"}));
+  EXPECT_EQ(mesh.properties[0].values.of, (std::vector<std::uint32_t>{0, 0, 1, 0}));
+  EXPECT_EQ(mesh.properties[1].name, "alpha");
+  EXPECT_EQ(mesh.properties[1].values.names, (std::vector<std::string>{"9", "8"}));
+}
+
+TEST(ReadPly, TakesPartsOfAColourThatAreNoBytesAsProperties) {
+  const FacetMesh mesh =
+      mesh_of_file("a.ply", ply_with_words("", "property uchar red\nproperty int green\nproperty uchar blue\n",
+                                           "3 0 1 2 1 2 3\n3 0 1 2 1 2 3\n3 0 1 2 1 2 3\n"));
+  EXPECT_TRUE(mesh.colour.of.empty());
+  ASSERT_EQ(mesh.properties.size(), 3U);
+  EXPECT_EQ(mesh.properties[1].values.names, (std::vector<std::string>{"2"}));
+}
+
+TEST(ReadPly, TakesWordsOfBinaryFacesInBothByteOrders) {
+  for (const bool big : {false, true}) {
+    std::string file = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                       "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element face 1\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+                       "property list uchar int vertex_indices\nproperty int zone\nproperty uint key\nend_header\n";
+    for (const float x : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) file += bytes_of(x, big);
+    file += "\xff\x10\x20\x03";
+    for (const std::int32_t index : {0, 1, 2}) file += bytes_of(index, big);
+    file += bytes_of(std::int32_t{-1}, big) + bytes_of(std::uint32_t{4294967295U}, big);
+    const FacetMesh mesh = mesh_of_file("a.ply", file);
+    EXPECT_EQ(mesh.colour.names, (std::vector<std::string>{"#ff1020"}));
+    EXPECT_EQ(mesh.properties.at(0).values.names, (std::vector<std::string>{"-1"}));
+    EXPECT_EQ(mesh.properties.at(1).values.names, (std::vector<std::string>{"4294967295"}));
+  }
+}
+
 TEST(ReadOff, PassesOverCommentsColoursAndNormals) {
   const std::string rows = "3 1 0 # counts\n\n0 0 0 1 0 0 1\n# between\n1 0 0 9 9\n0 1 0\n3 0 1 2 255 0 0\n";
   for (const std::string keyword : {"OFF\n", "COFF\n# rem\n", "NOFF ", "# first\nOFF\n\n", "STCNOFF\n"})
