@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <unordered_set>
 #include <utility>
 
+#include "base/splitmix64.h"
 #include "mesh/closed_shells.h"
+#include "mesh/collinear.h"
+#include "mesh/index_table.h"
 #include "mesh/weld.h"
 
 namespace lrcs {
@@ -14,22 +16,11 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 
 std::size_t weld(FacetMesh& mesh) {
-  std::vector<std::uint32_t> place = first_equal(mesh.positions);
-  std::uint32_t kept = 0;
-  for (std::size_t k = 0; k < place.size(); ++k) {
-    if (place[k] == k) {
-      mesh.positions[kept] = mesh.positions[k];
-      place[k] = kept++;
-    } else {
-      place[k] = place[place[k]];
-    }
-  }
+  const std::vector<std::uint32_t> place = keep_different(mesh.positions);
   for (Corners& corners : mesh.facets) {
     for (std::uint32_t& corner : corners) corner = place[corner];
   }
-  const std::size_t welded = mesh.positions.size() - kept;
-  mesh.positions.resize(kept);
-  return welded;
+  return place.size() - mesh.positions.size();
 }
 
 // Drops the facets of which `drop` is true, and says how many they were.
@@ -58,33 +49,37 @@ Corners smallest_first(Corners corners) {
   return corners;
 }
 
-struct KeyHash {
-  std::size_t operator()(const std::pair<Corners, std::uint32_t>& key) const {
-    std::uint64_t hash = key.second;
-    for (const std::uint32_t corner : key.first) hash = (hash ^ corner) * 0x9e3779b97f4a7c15U;
-    return hash ^ hash >> 32U;
-  }
-};
-
 bool has_equal_corners(const Corners& c) {
   return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
 bool is_degenerate(const FacetMesh& mesh, std::size_t facet) {
   const auto [a, b, c] = mesh.corners(facet);
-  return facet_cross(a, b, c).isZero(0.0);
+  return are_collinear(a, b, c);
+}
+
+// Of every facet: does it repeat an earlier one, of the same part or of any?
+std::vector<bool> repeated_facets(const FacetMesh& mesh, bool of_same_part) {
+  std::vector<bool> repeated(mesh.size());
+  IndexTable known(mesh.size());
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+    const Corners corners = smallest_first(mesh.facets[k]);
+    const auto is_same = [&](std::uint32_t other) {
+      return smallest_first(mesh.facets[other]) == corners && (!of_same_part || mesh.part.of[other] == mesh.part.of[k]);
+    };
+    std::uint64_t hash = of_same_part ? mesh.part.of[k] : 0;
+    for (const std::uint32_t corner : corners) hash = splitmix64(hash ^ corner);
+    repeated[k] = known.first_equal(hash, k, is_same) != k;
+  }
+  return repeated;
 }
 
 // Drops the facets that repeat an earlier one, of the same part or of any.
 void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairCounts& counts) {
-  std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
-  known.reserve(mesh.size());
-  drop_facets(mesh, [&](std::size_t k) {
-    if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part.of[k] : 0U).second) return false;
-    // A degenerate facet is counted as that already.
-    if (!is_degenerate(mesh, k)) ++counts.duplicate;
-    return true;
-  });
+  const std::vector<bool> repeated = repeated_facets(mesh, of_same_part);
+  // A degenerate facet is counted as that already.
+  for (std::size_t k = 0; k < mesh.size(); ++k) counts.duplicate += repeated[k] && !is_degenerate(mesh, k) ? 1 : 0;
+  drop_facets(mesh, [&](std::size_t k) { return repeated[k]; });
 }
 
 std::size_t count_degenerate(const FacetMesh& mesh) {
@@ -106,17 +101,22 @@ std::size_t face_outward(FacetMesh& mesh) {
   return flipped;
 }
 
-}  // namespace
-
-RepairCounts repair_connectivity(FacetMesh& mesh) {
+RepairCounts connect(FacetMesh& mesh) {
   RepairCounts counts;
   counts.welded_vertices = weld(mesh);
   counts.degenerate = count_degenerate(mesh);
   drop_facets(mesh, [&](std::size_t k) { return has_equal_corners(mesh.facets[k]); });
   drop_duplicate(mesh, true, counts);
-  // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
   counts.flipped = face_outward(mesh);
-  drop_duplicate(mesh, false, counts);
+  // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
+  if (counts.flipped > 0 || mesh.part.names.size() > 1) drop_duplicate(mesh, false, counts);
+  return counts;
+}
+
+}  // namespace
+
+RepairCounts repair_connectivity(FacetMesh& mesh) {
+  const RepairCounts counts = connect(mesh);
   measure_facets(mesh);
   return counts;
 }
@@ -128,7 +128,7 @@ std::size_t drop_degenerate(FacetMesh& mesh) {
 }
 
 RepairCounts repair(FacetMesh& mesh) {
-  const RepairCounts counts = repair_connectivity(mesh);
+  const RepairCounts counts = connect(mesh);
   drop_degenerate(mesh);
   return counts;
 }
