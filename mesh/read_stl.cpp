@@ -1,14 +1,15 @@
-#include <CGAL/IO/STL.h>
 #include <fmt/format.h>
 
 #include <bit>
-#include <sstream>
+#include <cstring>
+#include <span>
 
 #include "base/input_error.h"
 #include "base/text_scanner.h"
 #include "mesh/file_format.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
+#include "mesh/weld.h"
 
 namespace lrcs {
 namespace {
@@ -45,25 +46,29 @@ void read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uin
   expect(scanner, "endfacet");
 }
 
+// The files are little-endian, and so are the machines that this is for.
 float float_at(std::string_view content, std::size_t at) {
-  std::uint32_t bits = 0;
-  for (std::size_t k = 4; k-- > 0;) bits = bits << 8U | static_cast<unsigned char>(content[at + k]);
-  return std::bit_cast<float>(bits);
+  static_assert(std::endian::native == std::endian::little);
+  float x = 0.0F;
+  std::memcpy(&x, content.data() + at, sizeof x);
+  return x;
 }
 
-Vec3 vertex_at(std::string_view content, std::size_t at) {
+Vec3 vertex_at(std::string_view content, std::size_t facet, std::size_t corner) {
+  const std::size_t at = stl_header + stl_record * facet + 12 * (corner + 1);
   return {float_at(content, at), float_at(content, at + 4), float_at(content, at + 8)};
 }
 
-// CGAL takes a vertex with NaN for another one.
-void require_finite(std::string_view content, std::size_t count, const std::string& file) {
+std::vector<Vec3> vertices_of(std::string_view content, std::size_t count, const std::string& file) {
+  std::vector<Vec3> vertices;
+  vertices.reserve(3 * count);
   for (std::size_t vertex = 0; vertex < 3 * count; ++vertex) {
-    const std::size_t facet = vertex / 3;
-    const Vec3 p = vertex_at(content, stl_header + stl_record * facet + 12 * (vertex % 3 + 1));
+    const Vec3& p = vertices.emplace_back(vertex_at(content, vertex / 3, vertex % 3));
     if (!p.allFinite())
       throw InputError(Place{file}, fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
-                                                facet + 1, count, p.x(), p.y(), p.z()));
+                                                vertex / 3 + 1, count, p.x(), p.y(), p.z()));
   }
+  return vertices;
 }
 
 }  // namespace
@@ -91,15 +96,12 @@ FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
   if (content.size() != stl_header + stl_record * count)
     throw InputError(Place{file}, fmt::format("has {} bytes, expected {} for the {} facets of its binary STL header",
                                               content.size(), stl_header + stl_record * count, count));
-  require_finite(content, count, file);
-  // CGAL would read a header that begins with "solid" as text.
-  std::istringstream bytes(std::string(80, '-').append(content.substr(80)));
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  if (!CGAL::IO::read_STL(bytes, points, triangles)) throw InputError(Place{file}, "cannot be read as binary STL");
+  std::vector<Vec3> vertices = vertices_of(content, count, file);
+  const std::vector<std::uint32_t> place = keep_different(vertices);
   MeshBuilder builder;
-  for (const auto& [x, y, z] : points) builder.add_position({x, y, z});
-  for (const auto& triangle : triangles) builder.add_polygon(triangle);
+  builder.reserve(vertices.size(), count);
+  for (const Vec3& p : vertices) builder.add_position(p);
+  for (std::size_t k = 0; k < count; ++k) builder.add_polygon(std::span(place).subspan(3 * k, 3));
   return builder.finish();
 }
 
