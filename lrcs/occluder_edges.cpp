@@ -2,27 +2,28 @@
 
 #include <algorithm>
 
+#include "base/bucket_sort.h"
+
 namespace lrcs {
 namespace {
 
-struct Side {  // of a facet
-  std::uint64_t vertices;
+struct Side {               // of a facet
+  std::uint32_t low, high;  // vertices
   std::uint32_t facet;
   std::uint32_t corner;
 };
 
 std::vector<Side> sorted_sides(const Occluders& occluders) {
-  std::vector<Side> sides;
-  sides.reserve(3 * occluders.size());
-  for (std::uint32_t f = 0; f < occluders.size(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint64_t a = occluders.facets[f][k], b = occluders.facets[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b) << 32U | std::max(a, b), f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.vertices != b.vertices ? a.vertices < b.vertices : a.facet < b.facet;
-  });
-  return sides;
+  const auto each_side = [&](const auto& put) {
+    for (std::uint32_t f = 0; f < occluders.size(); ++f)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = occluders.facets[f][k], b = occluders.facets[f][(k + 1) % 3];
+        put(Side{std::min(a, b), std::max(a, b), f, k});
+      }
+  };
+  return bucket_sorted<Side>(
+      each_side, [](const Side& side) { return side.low; },
+      [](const Side& a, const Side& b) { return a.high != b.high ? a.high < b.high : a.facet < b.facet; });
 }
 
 }  // namespace
@@ -32,12 +33,14 @@ OccluderEdges::OccluderEdges(const Occluders& occluders)
   const auto sides = sorted_sides(occluders);
   const auto none = static_cast<std::uint32_t>(2 * occluders.size());
   uses_.reserve(sides.size());
+  edges_.reserve(sides.size() / 2);
+  begins_.reserve(sides.size() / 2 + 1);
   for (std::size_t k = 0; k < sides.size();) {
-    const std::uint64_t vertices = sides[k].vertices;
+    const std::uint32_t low = sides[k].low, high = sides[k].high;
     const auto edge = static_cast<std::uint32_t>(edges_.size());
-    edges_.push_back({static_cast<std::uint32_t>(vertices >> 32U), static_cast<std::uint32_t>(vertices), {none, none}});
+    edges_.push_back({low, high, {none, none}});
     begins_.push_back(static_cast<std::uint32_t>(uses_.size()));
-    for (; k < sides.size() && sides[k].vertices == vertices; ++k) {
+    for (; k < sides.size() && sides[k].low == low && sides[k].high == high; ++k) {
       const Side& side = sides[k];
       uses_.push_back({side.facet, occluders.facets[side.facet][side.corner] == edges_.back().low});
       edge_of_[side.facet][side.corner] = edge;

@@ -2,32 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lrcs/space_order.h"
+#include "mesh/weld.h"
 
 namespace lrcs {
 namespace {
-
-// For every position the number of its place among the different ones. Zero has one sign.
-std::vector<std::uint32_t> merge_equal(std::vector<Vec3>& positions) {
-  for (Vec3& p : positions) p += Vec3::Zero();
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto less = [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3 &p = positions[a], &q = positions[b];
-    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  };
-  std::sort(order.begin(), order.end(), less);
-  std::vector<Vec3> kept;
-  std::vector<std::uint32_t> kept_of(positions.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || less(order[k - 1], order[k])) kept.push_back(positions[order[k]]);
-    kept_of[order[k]] = static_cast<std::uint32_t>(kept.size() - 1);
-  }
-  positions = std::move(kept);
-  return kept_of;
-}
 
 // Powers of two are exact. What no facet uses says nothing of the size.
 void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
@@ -36,8 +16,9 @@ void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
     for (const std::uint32_t v : facet) size = std::max(size, mesh.positions[v].cwiseAbs().maxCoeff());
   if (size == 0.0) return;
   const int exponent = std::ilogb(size);
-  for (Vec3& p : positions)
-    for (double& x : p) x = std::ldexp(x, -exponent);
+  // In two steps, of which each is a double whatever the size.
+  const double half = std::ldexp(1.0, -exponent / 2), rest = std::ldexp(1.0, -exponent - (-exponent / 2));
+  for (Vec3& p : positions) p = (p * half) * rest;
 }
 
 std::array<Vec3, 3> normals_at_corners(const FacetMesh& mesh, std::uint32_t facet, const Vec3& cross) {
@@ -81,7 +62,8 @@ Occluders::Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept
 }
 
 void Occluders::take_facets(const FacetMesh& mesh) {
-  const auto vertex = merge_equal(positions);
+  for (Vec3& p : positions) p += Vec3::Zero();  // zero has one sign
+  const auto vertex = keep_different(positions);
   scale_to_unit_size(positions, mesh);
   for (std::uint32_t f = 0; f < mesh.size(); ++f) {
     const auto& c = mesh.facets[f];

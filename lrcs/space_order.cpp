@@ -1,37 +1,53 @@
 #include "lrcs/space_order.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <span>
 #include <utility>
 
 namespace lrcs {
 namespace {
 
+struct Numbered {
+  Vec3 point;
+  std::uint32_t number;
+};
+
 // Halving by number keeps the depth of the recursion at log2 of the number of points, wherever they lie.
-void part(const std::vector<Vec3>& points, std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t last) {
-  if (last - first <= space_leaf) return;
-  Vec3 low = points[order[first]];
+void part(std::span<Numbered> points) {
+  if (points.size() <= space_leaf) return;
+  Vec3 low = points.front().point;
   Vec3 high = low;
-  for (std::uint32_t k = first; k < last; ++k) {
-    low = low.cwiseMin(points[order[k]]);
-    high = high.cwiseMax(points[order[k]]);
+  for (const Numbered& p : points) {
+    low = low.cwiseMin(p.point);
+    high = high.cwiseMax(p.point);
   }
   int axis = 0;
   (high - low).maxCoeff(&axis);
-  const std::uint32_t middle = middle_of(first, last);
-  std::nth_element(
-      order.begin() + first, order.begin() + middle, order.begin() + last,
-      [&](std::uint32_t a, std::uint32_t b) { return std::pair(points[a][axis], a) < std::pair(points[b][axis], b); });
-  part(points, order, first, middle);
-  part(points, order, middle, last);
+  const std::uint32_t middle = middle_of(0, static_cast<std::uint32_t>(points.size()));
+  std::nth_element(points.begin(), points.begin() + middle, points.end(), [&](const Numbered& a, const Numbered& b) {
+    return std::pair(a.point[axis], a.number) < std::pair(b.point[axis], b.number);
+  });
+  const auto parts = std::array{points.first(middle), points.subspan(middle)};
+  constexpr std::size_t worth_a_thread = 4096;
+  if (points.size() >= worth_a_thread)
+    tbb::parallel_invoke([&] { part(parts[0]); }, [&] { part(parts[1]); });
+  else
+    for (const auto& half : parts) part(half);
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> space_order(const std::vector<Vec3>& points) {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  part(points, order, 0, static_cast<std::uint32_t>(points.size()));
+  std::vector<Numbered> numbered;
+  numbered.reserve(points.size());
+  for (const Vec3& point : points) numbered.push_back({point, static_cast<std::uint32_t>(numbered.size())});
+  part(numbered);
+  std::vector<std::uint32_t> order;
+  order.reserve(points.size());
+  for (const Numbered& p : numbered) order.push_back(p.number);
   return order;
 }
 

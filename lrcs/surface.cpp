@@ -37,6 +37,7 @@ Surface::Surface(const Surface& whole, const std::vector<std::uint8_t>& kept)
 }
 
 void Surface::list_positions() {
+  for (auto* list : {&x, &y, &z}) list->reserve(occluders.positions.size());
   for (const Vec3& p : occluders.positions) {
     x.push_back(p.x() - occluders.centre.x());
     y.push_back(p.y() - occluders.centre.y());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "base/compensated_sum.h"
 #include "mesh/edges.h"
@@ -17,13 +18,19 @@ using Indices = std::vector<std::uint32_t>;
 
 // Tears every set whose windings do not cancel at one of its edges.
 void tear_open_sets(const Edges& edges, WindingSets& sets) {
-  std::map<std::uint32_t, int> balance;
+  std::vector<std::pair<std::uint32_t, int>> steps;  // of the sets at an edge
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    balance.clear();
-    for (const EdgeUse& use : edges.uses(edge))
-      balance[sets.root(use.facet)] += use.rising != sets.is_opposite(use.facet) ? 1 : -1;
-    for (const auto& [root, sum] : balance) {
-      if (sum != 0) sets.tear(root);
+    steps.clear();
+    for (const EdgeUse& use : edges.uses(edge)) {
+      const std::uint32_t root = sets.root(use.facet);
+      steps.emplace_back(root, use.rising != sets.is_opposite(use.facet) ? 1 : -1);
+    }
+    std::sort(steps.begin(), steps.end());
+    for (std::size_t k = 0; k < steps.size();) {
+      const std::uint32_t root = steps[k].first;
+      int balance = 0;
+      for (; k < steps.size() && steps[k].first == root; ++k) balance += steps[k].second;
+      if (balance != 0) sets.tear(root);
     }
   }
 }
@@ -107,7 +114,7 @@ double volume_noise(const FacetMesh& mesh, const ClosedShell& shell) {
 void face_outward(const FacetMesh& mesh, std::vector<ClosedShell>& shells) {
   std::vector<std::size_t> inward;
   for (std::size_t k = 0; k < shells.size(); ++k) {
-    if (shells[k].volume < -volume_noise(mesh, shells[k])) inward.push_back(k);
+    if (shells[k].volume < 0.0 && shells[k].volume < -volume_noise(mesh, shells[k])) inward.push_back(k);
   }
   if (inward.empty()) return;
   Enclosure enclosure(mesh, shells);

@@ -24,6 +24,13 @@ std::uint32_t MeshBuilder::Names::use(std::vector<std::string>& names) {
   return static_cast<std::uint32_t>(index);
 }
 
+void MeshBuilder::reserve(std::size_t vertices, std::size_t facets) {
+  mesh_.positions.reserve(mesh_.positions.size() + vertices);
+  mesh_.facets.reserve(mesh_.size() + facets);
+  for (auto* list : {&mesh_.part.of, &mesh_.file_material.of, &mesh_.colour.of, &mesh_.layer.of, &mesh_.source_facet})
+    list->reserve(mesh_.size() + facets);
+}
+
 std::uint32_t MeshBuilder::add_position(const Vec3& position) {
   const std::size_t index = mesh_.positions.size();
   if (index >= std::numeric_limits<std::uint32_t>::max())

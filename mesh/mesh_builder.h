@@ -16,6 +16,9 @@ namespace lrcs {
 // laws: equal part names are one part, equal material names one material; a name without polygons leaves no trace.
 class MeshBuilder {
  public:
+  // Makes room for so many more vertices and facets, if it is known how many come.
+  void reserve(std::size_t vertices, std::size_t facets);
+
   // Adds a vertex and gives its index. domain: coordinates for which is_coordinate() holds.
   std::uint32_t add_position(const Vec3& position);
   [[nodiscard]] std::size_t position_count() const { return mesh_.positions.size(); }

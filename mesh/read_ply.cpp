@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -78,9 +79,10 @@ class BinaryRows {
  private:
   std::uint64_t take(std::size_t size) {
     if (bytes_.size() < size) fail("the file ends here");
+    static_assert(std::endian::native == std::endian::little);
     std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < size; ++k)
-      bits = bits << 8U | static_cast<unsigned char>(bytes_[big_endian_ ? k : size - 1 - k]);
+    std::memcpy(&bits, bytes_.data(), size);
+    if (big_endian_) bits = __builtin_bswap64(bits) >> (64U - 8U * size);
     bytes_.remove_prefix(size);
     return bits;
   }
@@ -215,8 +217,14 @@ class Faces {
 };
 
 template <class Rows>
-FacetMesh read_rows(Rows rows, const PlyHeader& header) {
+FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes) {
   MeshBuilder builder;
+  // Coordinates and corners take two bytes each and more: what the header claims beyond that cannot follow.
+  for (const PlyElement& element : header.elements) {
+    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count, bytes / 6));
+    if (element.name == "vertex") builder.reserve(most, 0);
+    if (element.name == "face") builder.reserve(0, most);
+  }
   std::optional<Faces> faces;
   for (const PlyElement& element : header.elements) {
     // Rows of no properties take no bytes: there may be any number of them.
@@ -288,8 +296,8 @@ FacetMesh read_ply(std::string_view content, const std::string& file) {
   SurfaceCheck(header, file);
   const std::string_view data = content.substr(header.data_begin);
   if (header.encoding == PlyEncoding::text)
-    return read_rows(TextRows(TextScanner(data, file, header.data_line)), header);
-  return read_rows(BinaryRows(data, header.encoding == PlyEncoding::big_endian, file), header);
+    return read_rows(TextRows(TextScanner(data, file, header.data_line)), header, data.size());
+  return read_rows(BinaryRows(data, header.encoding == PlyEncoding::big_endian, file), header, data.size());
 }
 
 }  // namespace lrcs

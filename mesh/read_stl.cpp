@@ -1,10 +1,10 @@
-#include <CGAL/IO/STL.h>
 #include <fmt/format.h>
 
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <sstream>
+#include <cstring>
+#include <span>
 #include <system_error>
 
 #include "base/input_error.h"
@@ -12,6 +12,7 @@
 #include "mesh/file_format.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
+#include "mesh/weld.h"
 
 namespace lrcs {
 namespace {
@@ -65,34 +66,38 @@ bool read_facet(TextScanner& scanner, MeshBuilder& builder, std::vector<std::uin
   return points_back(normal, builder.position(corners[0]), builder.position(corners[1]), builder.position(corners[2]));
 }
 
+// The files are little-endian, and so are the machines that this is for.
 float float_at(std::string_view content, std::size_t at) {
-  std::uint32_t bits = 0;
-  for (std::size_t k = 4; k-- > 0;) bits = bits << 8U | static_cast<unsigned char>(content[at + k]);
-  return std::bit_cast<float>(bits);
+  static_assert(std::endian::native == std::endian::little);
+  float x = 0.0F;
+  std::memcpy(&x, content.data() + at, sizeof x);
+  return x;
 }
 
-Vec3 vertex_at(std::string_view content, std::size_t at) {
+// The facet's normal (0), or one of its vertices (1, 2, 3).
+Vec3 record_at(std::string_view content, std::size_t facet, std::size_t place) {
+  const std::size_t at = stl_header + stl_record * facet + 12 * place;
   return {float_at(content, at), float_at(content, at + 4), float_at(content, at + 8)};
 }
 
-// CGAL takes a vertex with NaN for another one.
-void require_finite(std::string_view content, std::size_t count, const std::string& file) {
+std::vector<Vec3> vertices_of(std::string_view content, std::size_t count, const std::string& file) {
+  std::vector<Vec3> vertices;
+  vertices.reserve(3 * count);
   for (std::size_t vertex = 0; vertex < 3 * count; ++vertex) {
-    const std::size_t facet = vertex / 3;
-    const Vec3 p = vertex_at(content, stl_header + stl_record * facet + 12 * (vertex % 3 + 1));
+    const Vec3& p = vertices.emplace_back(record_at(content, vertex / 3, vertex % 3 + 1));
     if (!p.allFinite())
       throw InputError(Place{file}, fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
-                                                facet + 1, count, p.x(), p.y(), p.z()));
+                                                vertex / 3 + 1, count, p.x(), p.y(), p.z()));
   }
+  return vertices;
 }
 
-std::size_t count_normals_against(std::string_view content, std::size_t count) {
+// vertices: three a facet.
+std::size_t count_normals_against(std::string_view content, const std::vector<Vec3>& vertices) {
   std::size_t against = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t at = stl_header + stl_record * k;
-    const bool back = points_back(vertex_at(content, at), vertex_at(content, at + 12), vertex_at(content, at + 24),
-                                  vertex_at(content, at + 36));
-    against += back ? 1 : 0;
+  for (std::size_t k = 0; 3 * k < vertices.size(); ++k) {
+    const Vec3 normal = record_at(content, k, 0);
+    against += points_back(normal, vertices[3 * k], vertices[3 * k + 1], vertices[3 * k + 2]) ? 1 : 0;
   }
   return against;
 }
@@ -125,17 +130,15 @@ FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
   if (content.size() != stl_header + stl_record * count)
     throw InputError(Place{file}, fmt::format("has {} bytes, expected {} for the {} facets of its binary STL header",
                                               content.size(), stl_header + stl_record * count, count));
-  require_finite(content, count, file);
-  // CGAL would read a header that begins with "solid" as text.
-  std::istringstream bytes(std::string(80, '-').append(content.substr(80)));
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  if (!CGAL::IO::read_STL(bytes, points, triangles)) throw InputError(Place{file}, "cannot be read as binary STL");
+  const std::vector<Vec3> vertices = vertices_of(content, count, file);
+  std::vector<Vec3> different = vertices;
+  const std::vector<std::uint32_t> place = keep_different(different);
   MeshBuilder builder;
-  for (const auto& [x, y, z] : points) builder.add_position({x, y, z});
-  for (const auto& triangle : triangles) builder.add_polygon(triangle);
+  builder.reserve(different.size(), count);
+  for (const Vec3& p : different) builder.add_position(p);
+  for (std::size_t k = 0; k < count; ++k) builder.add_polygon(std::span(place).subspan(3 * k, 3));
   FacetMesh mesh = builder.finish();
-  mesh.normals_against = count_normals_against(content, count);
+  mesh.normals_against = count_normals_against(content, vertices);
   return mesh;
 }
 

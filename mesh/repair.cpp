@@ -1,11 +1,13 @@
 #include "mesh/repair.h"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
+#include "base/splitmix64.h"
 #include "mesh/closed_shells.h"
+#include "mesh/collinear.h"
 #include "mesh/facet_lists.h"
+#include "mesh/index_table.h"
 #include "mesh/weld.h"
 
 namespace lrcs {
@@ -14,22 +16,11 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 
 std::size_t weld(FacetMesh& mesh) {
-  std::vector<std::uint32_t> place = first_equal(mesh.positions);
-  std::uint32_t kept = 0;
-  for (std::size_t k = 0; k < place.size(); ++k) {
-    if (place[k] == k) {
-      mesh.positions[kept] = mesh.positions[k];
-      place[k] = kept++;
-    } else {
-      place[k] = place[place[k]];
-    }
-  }
+  const std::vector<std::uint32_t> place = keep_different(mesh.positions);
   for (Corners& corners : mesh.facets) {
     for (std::uint32_t& corner : corners) corner = place[corner];
   }
-  const std::size_t welded = mesh.positions.size() - kept;
-  mesh.positions.resize(kept);
-  return welded;
+  return place.size() - mesh.positions.size();
 }
 
 // The same for the same corners in the same winding.
@@ -38,21 +29,29 @@ Corners smallest_first(Corners corners) {
   return corners;
 }
 
-struct KeyHash {
-  std::size_t operator()(const std::pair<Corners, std::uint32_t>& key) const {
-    std::uint64_t hash = key.second;
-    for (const std::uint32_t corner : key.first) hash = (hash ^ corner) * 0x9e3779b97f4a7c15U;
-    return hash ^ hash >> 32U;
-  }
-};
-
 bool has_equal_corners(const Corners& c) {
   return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
 bool is_degenerate(const FacetMesh& mesh, std::size_t facet) {
   const auto [a, b, c] = mesh.corners(facet);
-  return facet_cross(a, b, c).isZero(0.0);
+  return are_collinear(a, b, c);
+}
+
+// Of every facet: does it repeat an earlier one, of the same part or of any?
+std::vector<bool> repeated_facets(const FacetMesh& mesh, bool of_same_part) {
+  std::vector<bool> repeated(mesh.size());
+  IndexTable known(mesh.size());
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) {
+    const Corners corners = smallest_first(mesh.facets[k]);
+    const auto is_same = [&](std::uint32_t other) {
+      return smallest_first(mesh.facets[other]) == corners && (!of_same_part || mesh.part.of[other] == mesh.part.of[k]);
+    };
+    std::uint64_t hash = of_same_part ? mesh.part.of[k] : 0;
+    for (const std::uint32_t corner : corners) hash = splitmix64(hash ^ corner);
+    repeated[k] = known.first_equal(hash, k, is_same) != k;
+  }
+  return repeated;
 }
 
 // Adds one to a count of the whole and of a facet's part.
@@ -63,14 +62,11 @@ void count(RepairsByPart& repairs, std::size_t RepairCounts::*what, std::uint32_
 
 // Drops the facets that repeat an earlier one, of the same part or of any.
 void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairsByPart& repairs) {
-  std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
-  known.reserve(mesh.size());
-  drop_facets(mesh, [&](std::size_t k) {
-    if (known.emplace(smallest_first(mesh.facets[k]), of_same_part ? mesh.part.of[k] : 0U).second) return false;
-    // A degenerate facet is counted as that already.
-    if (!is_degenerate(mesh, k)) count(repairs, &RepairCounts::duplicate, mesh.part.of[k]);
-    return true;
-  });
+  const std::vector<bool> repeated = repeated_facets(mesh, of_same_part);
+  // A degenerate facet is counted as that already.
+  for (std::size_t k = 0; k < mesh.size(); ++k)
+    if (repeated[k] && !is_degenerate(mesh, k)) count(repairs, &RepairCounts::duplicate, mesh.part.of[k]);
+  drop_facets(mesh, [&](std::size_t k) { return repeated[k]; });
 }
 
 void count_degenerate(const FacetMesh& mesh, RepairsByPart& repairs) {
@@ -89,30 +85,42 @@ void face_outward(FacetMesh& mesh, RepairsByPart& repairs) {
   }
 }
 
-}  // namespace
-
-RepairsByPart repair_connectivity(FacetMesh& mesh) {
+RepairsByPart connect(FacetMesh& mesh) {
   RepairsByPart repairs;
   repairs.parts.resize(mesh.part.names.size());
   repairs.all.welded_vertices = weld(mesh);
   count_degenerate(mesh, repairs);
   drop_facets(mesh, [&](std::size_t k) { return has_equal_corners(mesh.facets[k]); });
   drop_duplicate(mesh, true, repairs);
-  // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
   face_outward(mesh, repairs);
-  drop_duplicate(mesh, false, repairs);
+  // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
+  if (repairs.all.flipped > 0 || mesh.part.names.size() > 1) drop_duplicate(mesh, false, repairs);
+  return repairs;
+}
+
+}  // namespace
+
+RepairsByPart repair_connectivity(FacetMesh& mesh) {
+  const RepairsByPart repairs = connect(mesh);
   measure_facets(mesh);
   return repairs;
 }
 
 std::vector<std::uint32_t> opposite_facets(const FacetMesh& mesh) {
-  std::unordered_set<std::pair<Corners, std::uint32_t>, KeyHash> known;
-  known.reserve(mesh.size());
+  const auto sorted = [&](std::uint32_t facet) {
+    Corners corners = mesh.facets[facet];
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
   std::vector<std::uint32_t> opposite;
+  IndexTable known(mesh.size());
   for (std::uint32_t k = 0; k < mesh.size(); ++k) {
-    const auto& [a, b, c] = mesh.facets[k];
-    if (known.contains({smallest_first({a, c, b}), 0U})) opposite.push_back(k);
-    known.emplace(smallest_first(mesh.facets[k]), 0U);
+    const Corners corners = sorted(k);
+    std::uint64_t hash = 0;
+    for (const std::uint32_t corner : corners) hash = splitmix64(hash ^ corner);
+    // No two have the same winding.
+    if (known.first_equal(hash, k, [&](std::uint32_t other) { return sorted(other) == corners; }) != k)
+      opposite.push_back(k);
   }
   return opposite;
 }
@@ -124,7 +132,7 @@ std::size_t drop_degenerate(FacetMesh& mesh) {
 }
 
 RepairCounts repair(FacetMesh& mesh) {
-  const RepairsByPart repairs = repair_connectivity(mesh);
+  const RepairsByPart repairs = connect(mesh);
   drop_degenerate(mesh);
   return repairs.all;
 }

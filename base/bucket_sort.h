@@ -1,0 +1,40 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace lrcs {
+
+// Values in the order of a whole number that each has, and those of equal number in that of `less`.
+// for_each(put): calls put(value) for every one, each time in the same order; it is asked three times, so that the
+// values are in memory once. cost: O(n) where few share a number and the numbers lie within a few n of each other; else
+// that of std::sort.
+template <class T, class ForEach, class Number, class Less>
+[[nodiscard]] std::vector<T> bucket_sorted(const ForEach& for_each, const Number& number, const Less& less) {
+  std::size_t count = 0, first = 0, last = 0;
+  for_each([&](const T& value) {
+    const std::size_t n = number(value);
+    first = count == 0 ? n : std::min(first, n);
+    last = std::max(last, n);
+    ++count;
+  });
+  std::vector<T> sorted;
+  if ((last - first) / 4 > count) {
+    sorted.reserve(count);
+    for_each([&](const T& value) { sorted.push_back(value); });
+    std::sort(sorted.begin(), sorted.end(),
+              [&](const T& a, const T& b) { return number(a) != number(b) ? number(a) < number(b) : less(a, b); });
+    return sorted;
+  }
+  std::vector<std::size_t> end(last - first + 2, 0);
+  for_each([&](const T& value) { ++end[number(value) - first + 1]; });
+  for (std::size_t k = 1; k < end.size(); ++k) end[k] += end[k - 1];
+  sorted.resize(count);
+  for_each([&](const T& value) { sorted[end[number(value) - first]++] = value; });
+  for (std::size_t k = 0, begin = 0; k + 1 < end.size(); begin = end[k++])
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin), sorted.begin() + static_cast<std::ptrdiff_t>(end[k]),
+              less);
+  return sorted;
+}
+
+}  // namespace lrcs
