@@ -83,7 +83,7 @@ std::string key_of_pattern(const LocatedYaml& rule) {
 }
 
 std::string material_at(const LocatedYaml& node, const std::vector<std::string>& materials) {
-  const std::string name = node.text();
+  std::string name = node.text();
   if (std::find(materials.begin(), materials.end(), name) == materials.end())
     node.fail(fmt::format("unknown material '{}'{} (materials: {})", name, did_you_mean(name, materials),
                           fmt::join(materials, ", ")));
