@@ -70,7 +70,7 @@ std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
 Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const Brdf& brdf) {
   const ScratchFolder folder;
   folder.write("body.step", body.step);
-  Tessellation tessellation{.relative = 0.5, .absolute = {}, .angle_deg = angle_deg};
+  Tessellation tessellation{.relative = 0.01, .absolute = {}, .angle_deg = angle_deg};
   if (facets != Facets::of_surface) tessellation.curving.by = Curving::By::nothing;
   Target target;
   target.mesh = read_target(folder.path() / "body.step", "", tessellation).mesh;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "mesh/disjoint_sets.h"
 #include "lrcs/facet_frame.h"
 #include "lrcs/layer_query.h"
+#include "mesh/disjoint_sets.h"
 
 namespace lrcs {
 namespace {
