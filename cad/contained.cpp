@@ -69,7 +69,7 @@ void limit(int resource, rlim_t most) {
 }
 
 // Address space in use [bytes].
-std::size_t address_space() {
+[[maybe_unused]] std::size_t address_space() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
