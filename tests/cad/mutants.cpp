@@ -1,5 +1,6 @@
 // lrcs_mutants: what `lrcs info` does, of a thousand files that are wrong. See about. scripts/sanitize.sh builds and
 // runs it with sanitizers.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -103,7 +104,8 @@ struct Ending {
 
 class Trials {
  public:
-  explicit Trials(const std::filesystem::path& scratch) : complaint_(scratch / "complaint"), reports_(scratch) {}
+  explicit Trials(const std::filesystem::path& scratch)
+      : complaint_(scratch / "complaint"), report_(scratch / "report") {}
 
   [[nodiscard]] Ending look_at(const std::filesystem::path& file) const {
     std::filesystem::remove(complaint_);
@@ -111,6 +113,7 @@ class Trials {
     if (child < 0) throw std::runtime_error("no process for a file");
     if (child == 0) {
       alarm(longest_s);
+      dup2(open(report_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_APPEND, 0600), STDERR_FILENO);
       _exit(info_on(file, complaint_));
     }
     int status = 0;
@@ -130,7 +133,7 @@ class Trials {
  private:
   [[nodiscard]] std::string fault_of(const std::filesystem::path& file, int status, const Ending& ending) const {
     const std::string complaint = this->complaint();
-    const std::string report = taken_report();
+    const std::string report = this->report(ending.refused);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) return fmt::format("takes more than {} s", longest_s);
     if (WIFSIGNALED(status)) return fmt::format("ends by signal {}: {}", WTERMSIG(status), report);
     if (!report.empty()) return report;
@@ -141,22 +144,17 @@ class Trials {
     return is_one_line ? "" : fmt::format("is refused by '{}', expected one line that names it", complaint);
   }
 
-  // What sanitizers wrote, of the process that read and of readers of other people's making, which report nothing
-  // else. A reader that wants more memory than there is has no other way to say so under a sanitizer.
-  [[nodiscard]] std::string taken_report() const {
-    std::string report;
-    for (const auto& entry : std::filesystem::directory_iterator(reports_)) {
-      if (!entry.path().filename().string().starts_with("sanitizer.")) continue;
-      const std::string text = content_of(entry.path());
-      const bool is_memory =
-          text.find("allocation-size-too-big") != std::string::npos || text.find("out-of-memory") != std::string::npos;
-      if (!is_memory || text.find("in lrcs::") != std::string::npos) report += text;
-      std::filesystem::remove(entry.path());
-    }
-    return report;
+  // What sanitizers wrote, of the process that read and of readers of other people's making in processes of their own.
+  // Of those, one that wants more memory than there is has no other way to say so under a sanitizer.
+  [[nodiscard]] std::string report(bool by_other_process) const {
+    const std::string text = content_of(report_);
+    const auto has = [&](const char* words) { return text.find(words) != std::string::npos; };
+    if (!has("ERROR: AddressSanitizer") && !has("runtime error:")) return "";
+    const bool is_memory = has("allocation-size-too-big") || has("out-of-memory");
+    return is_memory && by_other_process && !has("runtime error:") ? "" : text;
   }
 
-  std::filesystem::path complaint_, reports_;
+  std::filesystem::path complaint_, report_;
 };
 
 struct Options {
@@ -248,7 +246,7 @@ int run(int argc, char** argv) {
   app.add_option("--first-seed", options.first, "Of the mutations (default 1)");
   app.add_option("--count", options.count, "How many mutations (default 1000)");
   app.add_option("--keep", options.keep, "Folder for files that fail (default mutants)");
-  app.add_option("--scratch", options.scratch, "Folder for files that come and go, and for the reports of sanitizers")
+  app.add_option("--scratch", options.scratch, "Folder for files that come and go")
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("FILES", options.files, "Files that are looked at besides");
