@@ -11,8 +11,8 @@ cmake -S . -B build-sanitized -G Ninja -DLRCS_SANITIZE=ON -DLRCS_TESTS=ON -DCMAK
 cmake --build build-sanitized -j"$(nproc)" --target lrcs_mutants
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-# Readers are libraries with copies of ours in them; the others leak, and may ask for all memory.
-ASAN_OPTIONS="detect_leaks=0:detect_odr_violation=0:allocator_may_return_null=1:quarantine_size_mb=16:exitcode=99:log_path=$scratch/sanitizer"
-UBSAN_OPTIONS="print_stacktrace=1:exitcode=99:log_path=$scratch/sanitizer"
+# Readers are libraries with copies of ours in them; those of other people leak.
+ASAN_OPTIONS="detect_leaks=0:detect_odr_violation=0:allocator_may_return_null=1:quarantine_size_mb=16:exitcode=99"
+UBSAN_OPTIONS="print_stacktrace=1:exitcode=99"
 export ASAN_OPTIONS UBSAN_OPTIONS
 build-sanitized/bin/lrcs_mutants --scratch "$scratch" --keep build-sanitized/mutants "$@"

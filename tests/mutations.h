@@ -13,10 +13,10 @@ class Mutations {
  public:
   explicit Mutations(std::uint64_t seed) : random_(seed) {}
 
-  // A good file with one to three things done to it, one time in six with its end cut off. other: a file to take a
-  // stretch of bytes from.
+  // A good file with one to three things done to it, mostly one, one time in six with its end cut off. other: a file to
+  // take a stretch of bytes from.
   std::string of(std::string bytes, const std::string& other) {
-    for (std::size_t left = 1 + below(3); left > 0 && !bytes.empty(); --left) change(bytes, other);
+    for (std::size_t left = 1 + below(2) * below(3); left > 0 && !bytes.empty(); --left) change(bytes, other);
     if (below(6) == 0) bytes.resize(below(bytes.size() + 1));
     return bytes;
   }

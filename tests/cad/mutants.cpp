@@ -1,5 +1,6 @@
 // lrcs_mutants: what `lrcs info` does, of a thousand files that are wrong. See about. scripts/sanitize.sh builds and
 // runs it with sanitizers.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -42,16 +43,8 @@ constexpr long most_kilobytes = 1L << 20;
 constexpr int is_diagnosed = 0, is_refused = 2;
 
 struct GoodFile {
-  std::string format, bytes;
+  std::string format, bytes;  // format: as extensions have it
 };
-
-// A binary glTF: the JSON with its data in it is all there is.
-std::string glb() {
-  std::string json = gltf_of(R"({"name": "ship", "children": [1]}, {"name": "mast", "mesh": 0})");
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto size = static_cast<std::uint32_t>(json.size());
-  return "glTF" + bytes_of(std::uint32_t{2}) + bytes_of(size + 20) + bytes_of(size) + "JSON" + json;
-}
 
 // Two solids, one of them round. The date would make another file every second.
 std::string step(const std::filesystem::path& folder) {
@@ -69,19 +62,20 @@ std::string step(const std::filesystem::path& folder) {
 std::vector<GoodFile> good_files(const std::filesystem::path& folder) {
   const FacetMesh box = unit_box();
   const std::string named = obj(box) + "o second\nusemtl gold\nf 1 2 4 3\nf -1 -2 -4\n";
-  const std::string cad = step(folder);
-  return {{"STL", text_stl(box) + text_stl(box, "second")},
-          {"OBJ", named},
-          {"PLY", ply(box, "ascii")},
-          {"OFF", off(box)},
-          {"GLB", glb()},
-          {"STEP", cad},
-          {"STL", binary_stl(box)},
-          {"OBJ", named},
-          {"PLY", ply(box, "binary_little_endian")},
-          {"OFF", "C" + off(box)},
-          {"GLB", glb()},
-          {"STEP", cad}};
+  const std::string cad = step(folder),
+                    nodes = glb_of(R"({"name": "ship", "children": [1]}, {"name": "mast", "mesh": 0})");
+  return {{"stl", text_stl(box) + text_stl(box, "second")},
+          {"obj", named},
+          {"ply", ply(box, "ascii")},
+          {"off", off(box)},
+          {"glb", nodes},
+          {"step", cad},
+          {"stl", binary_stl(box)},
+          {"obj", named},
+          {"ply", ply(box, "binary_little_endian")},
+          {"off", "C" + off(box)},
+          {"glb", nodes},
+          {"step", cad}};
 }
 
 // The work of `lrcs info`; its exit status, and what it complains of in the file beside.
@@ -110,7 +104,8 @@ struct Ending {
 
 class Trials {
  public:
-  explicit Trials(const std::filesystem::path& scratch) : complaint_(scratch / "complaint"), reports_(scratch) {}
+  explicit Trials(const std::filesystem::path& scratch)
+      : complaint_(scratch / "complaint"), report_(scratch / "report") {}
 
   [[nodiscard]] Ending look_at(const std::filesystem::path& file) const {
     std::filesystem::remove(complaint_);
@@ -118,6 +113,7 @@ class Trials {
     if (child < 0) throw std::runtime_error("no process for a file");
     if (child == 0) {
       alarm(longest_s);
+      dup2(open(report_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_APPEND, 0600), STDERR_FILENO);
       _exit(info_on(file, complaint_));
     }
     int status = 0;
@@ -131,11 +127,13 @@ class Trials {
     ending.fault = fault_of(file, status, ending);
     return ending;
   }
+  // What the last file was refused with.
+  [[nodiscard]] std::string complaint() const { return content_of(complaint_); }
 
  private:
   [[nodiscard]] std::string fault_of(const std::filesystem::path& file, int status, const Ending& ending) const {
-    const std::string complaint = content_of(complaint_);
-    const std::string report = taken_report();
+    const std::string complaint = this->complaint();
+    const std::string report = this->report(ending.refused);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) return fmt::format("takes more than {} s", longest_s);
     if (WIFSIGNALED(status)) return fmt::format("ends by signal {}: {}", WTERMSIG(status), report);
     if (!report.empty()) return report;
@@ -146,22 +144,17 @@ class Trials {
     return is_one_line ? "" : fmt::format("is refused by '{}', expected one line that names it", complaint);
   }
 
-  // What sanitizers wrote, of the process that read and of readers of other people's making, which report nothing
-  // else. A reader that wants more memory than there is has no other way to say so under a sanitizer.
-  [[nodiscard]] std::string taken_report() const {
-    std::string report;
-    for (const auto& entry : std::filesystem::directory_iterator(reports_)) {
-      if (!entry.path().filename().string().starts_with("sanitizer.")) continue;
-      const std::string text = content_of(entry.path());
-      const bool is_memory =
-          text.find("allocation-size-too-big") != std::string::npos || text.find("out-of-memory") != std::string::npos;
-      if (!is_memory || text.find("in lrcs::") != std::string::npos) report += text;
-      std::filesystem::remove(entry.path());
-    }
-    return report;
+  // What sanitizers wrote, of the process that read and of readers of other people's making in processes of their own.
+  // Of those, one that wants more memory than there is has no other way to say so under a sanitizer.
+  [[nodiscard]] std::string report(bool by_other_process) const {
+    const std::string text = content_of(report_);
+    const auto has = [&](const char* words) { return text.find(words) != std::string::npos; };
+    if (!has("ERROR: AddressSanitizer") && !has("runtime error:")) return "";
+    const bool is_memory = has("allocation-size-too-big") || has("out-of-memory");
+    return is_memory && by_other_process && !has("runtime error:") ? "" : text;
   }
 
-  std::filesystem::path complaint_, reports_;
+  std::filesystem::path complaint_, report_;
 };
 
 struct Options {
@@ -182,10 +175,18 @@ class Run {
 
   void look_at_mutants() {
     const std::vector<GoodFile> good = good_files(options_.scratch);
-    const auto file = options_.scratch / "mutant";
+    for (const GoodFile& one : good) {
+      const auto file = mutant(one.format);
+      std::ofstream(file, std::ios::binary) << one.bytes;
+      const Ending ending = trials_.look_at(file);
+      if (ending.refused || !ending.fault.empty())
+        throw std::runtime_error(
+            fmt::format("the good {} is wrong: {}{}", one.format, ending.fault, trials_.complaint()));
+    }
     for (std::uint64_t seed = options_.first; seed < options_.first + options_.count; ++seed) {
       const GoodFile& one = good[seed % good.size()];
       const GoodFile& other = good[(seed / good.size()) % good.size()];
+      const auto file = mutant(one.format);
       std::ofstream(file, std::ios::binary) << Mutations(seed).of(one.bytes, other.bytes);
       const Ending ending = trials_.look_at(file);
       note(one.format, ending);
@@ -197,7 +198,7 @@ class Run {
     for (const auto& file : options_.files) {
       const Ending ending = trials_.look_at(file);
       note("files", ending);
-      const std::string found = ending.refused ? content_of(options_.scratch / "complaint") : "is diagnosed";
+      const std::string found = ending.refused ? trials_.complaint() : "is diagnosed";
       fmt::print("{}: {}\n", file.filename().string(), ending.fault.empty() ? found : "WRONG: " + ending.fault);
     }
   }
@@ -215,6 +216,10 @@ class Run {
   }
 
  private:
+  [[nodiscard]] std::filesystem::path mutant(const std::string& format) const {
+    return options_.scratch / ("mutant." + format);
+  }
+
   void note(const std::string& format, const Ending& ending) {
     Tally& t = tallies_[format];
     ++(!ending.fault.empty() ? t.wrong : ending.refused ? t.refused : t.read);
@@ -224,7 +229,7 @@ class Run {
 
   void keep(const std::filesystem::path& file, const std::string& format, std::uint64_t seed, const Ending& ending) {
     std::filesystem::create_directories(options_.keep);
-    const auto kept = options_.keep / fmt::format("{}-{}", seed, format);
+    const auto kept = options_.keep / fmt::format("{}.{}", seed, format);
     std::filesystem::copy_file(file, kept, std::filesystem::copy_options::overwrite_existing);
     fmt::print("seed {}, kept as {}: {}\n", seed, kept.string(), ending.fault);
     std::fflush(stdout);
@@ -241,7 +246,7 @@ int run(int argc, char** argv) {
   app.add_option("--first-seed", options.first, "Of the mutations (default 1)");
   app.add_option("--count", options.count, "How many mutations (default 1000)");
   app.add_option("--keep", options.keep, "Folder for files that fail (default mutants)");
-  app.add_option("--scratch", options.scratch, "Folder for files that come and go, and for the reports of sanitizers")
+  app.add_option("--scratch", options.scratch, "Folder for files that come and go")
       ->required()
       ->check(CLI::ExistingDirectory);
   app.add_option("FILES", options.files, "Files that are looked at besides");
