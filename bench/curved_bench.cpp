@@ -107,22 +107,20 @@ void draw(const std::string& png, const std::vector<PlotLine>& lines, const std:
   const CartesianFrame frame = draw_cartesian_frame(canvas, top, decades("facets", facets),
                                                     decades("relative error of sigma, root mean square", errors));
   rule_finely(canvas, frame);
-  std::array<std::vector<double>, 3> taken;
+  std::vector<Point> taken;  // by names
   for (const PlotLine& line : lines) {
     std::vector<Point> points;
     for (const Measured& p : line.points) points.push_back(frame.at(static_cast<double>(p.facets), p.error));
     const Pen pen = pen_of(line.way);
     canvas.line(points, pen);
     for (const Point& p : points) canvas.disc(p, 8.0, pen.colour);
-    Point label{points.back().x + 18.0, points.back().y};
-    constexpr double apart = 34.0;  // [pixel]
-    auto& rows = taken[0];
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (const double row : rows)
-        if (std::abs(row - label.y) < apart) label.y = row - apart, moved = true;
-    }
-    rows.push_back(label.y);
+    const Point label{points.back().x + 18.0, points.back().y};
+    constexpr double width = 150.0, height = 34.0;  // [pixel]
+    if (std::any_of(taken.begin(), taken.end(), [&](const Point& other) {
+          return std::abs(other.x - label.x) < width && std::abs(other.y - label.y) < height;
+        }))
+      continue;
+    taken.push_back(label);
     canvas.text(label, line.body, {.font = {28, false}, .colour = pen.colour, .y = AlignY::middle});
   }
   draw_outline(canvas, frame);

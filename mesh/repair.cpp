@@ -101,7 +101,7 @@ RepairsByPart connect(FacetMesh& mesh) {
 }  // namespace
 
 RepairsByPart repair_connectivity(FacetMesh& mesh) {
-  const RepairsByPart repairs = connect(mesh);
+  RepairsByPart repairs = connect(mesh);
   measure_facets(mesh);
   return repairs;
 }
