@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ std::vector<Aspect> round_aspects() {
 std::array<Measured, 3> measure(const CurvedBody& body, double angle_deg, const Brdf& brdf, int repetitions) {
   std::array<Measured, 3> measured;
   std::vector<Target> targets;
+  targets.reserve(ways.size());
   for (const Facets way : ways) targets.push_back(target_of(body, angle_deg, way, brdf));
   std::array<std::vector<double>, 3> seconds;
   for (int repetition = 0; repetition < repetitions; ++repetition)
@@ -127,7 +129,7 @@ void draw(const std::string& png, const std::vector<PlotLine>& lines, const std:
   write_png(png, canvas.picture());
 }
 
-int run(const Options& options) {
+int measure_all(const Options& options) {
   const Brdf brdf = find_in_library(options.material)->brdf;
   fmt::print("{}\nmaterial {}\n\n", machine_facts(), options.material);
   fmt::print(
@@ -152,23 +154,25 @@ int run(const Options& options) {
   return options.is_short && !met ? 1 : 0;
 }
 
-}  // namespace
-}  // namespace lrcs
-
-int main(int argc, char** argv) {
-  CLI::App app{lrcs::about};
-  lrcs::Options options;
+int run(int argc, char** argv) {
+  CLI::App app{about};
+  Options options;
   app.add_option("--material", options.material, "Of the built-in library");
   app.add_option("--angles", options.angles, "Largest turn from edge to edge [deg]");
   app.add_option("--repetitions", options.repetitions, "Sweeps timed")->check(CLI::Range(1, 1000));
   app.add_option("--png", options.png, "Draw error against facets there");
   app.add_flag("--short", options.is_short, "Two sizes, one repetition, with bars");
   CLI11_PARSE(app, argc, argv);
+  if (find_in_library(options.material) == nullptr)
+    throw std::invalid_argument(options.material + " is not in the built-in library");
   if (options.is_short) options.angles = {14.0, 3.7}, options.repetitions = 1;
-  try {
-    return lrcs::run(options);
-  } catch (const std::exception& failure) {
-    fmt::print(stderr, "lrcs_curved_bench: {}\n", failure.what());
-    return 2;
-  }
+  return measure_all(options);
+}
+
+}  // namespace
+}  // namespace lrcs
+
+int main(int argc, char** argv) try { return lrcs::run(argc, argv); } catch (const std::exception& failed) {
+  std::fprintf(stderr, "lrcs_curved_bench: %s\n", failed.what());
+  return 2;
 }

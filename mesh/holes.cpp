@@ -116,6 +116,7 @@ std::vector<std::array<std::uint32_t, 3>> filling_of(const FacetMesh& mesh, cons
   std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(rim, std::back_inserter(found));
   std::vector<std::array<std::uint32_t, 3>> facets;
+  facets.reserve(found.size());
   for (const auto& t : found)
     facets.push_back({hole.rim[static_cast<std::size_t>(t.first)], hole.rim[static_cast<std::size_t>(t.second)],
                       hole.rim[static_cast<std::size_t>(t.third)]});
