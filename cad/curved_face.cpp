@@ -27,9 +27,6 @@ struct Gauss {
                                                  0.1012285362903763};
 };
 
-// Normals and areas nearer to the facet's than this are the facet's: sigma does not change beyond its rounding.
-constexpr double alike = 1e-12;
-
 Vec3 vec3(const gp_Vec& v) {
   return {v.X(), v.Y(), v.Z()};
 }
@@ -37,7 +34,7 @@ Vec3 vec3(const gp_Vec& v) {
 bool is_planar(const CurvedPatch& patch, const Vec3& flat) {
   const double area = flat.norm();
   for (std::size_t k = 0; k < PatchRule::size; ++k)
-    if (!((patch.area[k] * patch.normal[k] - flat).norm() <= alike * area)) return false;
+    if (!((patch.area[k] * patch.normal[k] - flat).norm() <= patch_alike * area)) return false;
   return true;
 }
 

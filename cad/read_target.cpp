@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -61,18 +60,11 @@ TargetRead read_contained(const std::filesystem::path& file, FileFormat format, 
   return {std::move(imported.mesh), imported.unit, surfaces ? said(wanted) : "", std::move(imported.warnings)};
 }
 
-double diagonal_of(const FacetMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& facet : mesh.facets)
-    for (const std::uint32_t corner : facet) box.extend(mesh.positions[corner]);
-  return box.isEmpty() ? 0.0 : mesh.metres_per_unit * box.diagonal().stableNorm();
-}
-
 // What lidar looks at is larger than a grain and smaller than a mountain: else the unit may be another.
 void doubt_unit(TargetRead& read) {
   constexpr double least = 1e-3, most = 1e3;                // [m]
   constexpr double usual_least = 1e-2, usual_most = 200.0;  // [m]
-  const double size = diagonal_of(read.mesh);
+  const double size = read.mesh.metres_per_unit * diagonal_of(read.mesh);
   if (read.unit.empty() || size == 0.0 || (size >= least && size <= most)) return;
   std::vector<std::string> others;
   for (const char* unit : {"mm", "cm", "inch", "ft", "m"}) {

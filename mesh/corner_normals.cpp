@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
@@ -18,9 +17,7 @@ std::uint32_t corner_at(const FacetMesh& mesh, std::uint32_t facet, std::uint32_
 }
 
 DisjointSets smooth_corners(const FacetMesh& mesh, double crease_angle) {
-  std::vector<std::uint32_t> all(mesh.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const Edges edges(mesh, all);
+  const Edges edges(mesh);
   DisjointSets corners(3 * mesh.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto uses = edges.uses(edge);

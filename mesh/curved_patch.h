@@ -25,6 +25,10 @@ struct CurvedPatch {
   std::array<double, PatchRule::size> area;  // [the mesh's unit, squared]
 };
 
+// Normals, and areas over the facet's, nearer to the flat facet's than this are the facet's: sigma does not change
+// beyond its rounding.
+inline constexpr double patch_alike = 1e-12;
+
 // The patches of a mesh.
 struct CurvedFacets {
   static constexpr std::uint32_t flat = 0xffffffff;

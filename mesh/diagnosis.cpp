@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <span>
 
@@ -114,9 +113,7 @@ void count_non_manifold(const FacetMesh& repaired, std::span<const EdgeUse> uses
 }
 
 void count_edges(const FacetMesh& repaired, Diagnosis& d) {
-  std::vector<std::uint32_t> all(repaired.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const Edges edges(repaired, all);
+  const Edges edges(repaired);
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto uses = edges.uses(edge);
     if (uses.size() == 1) count(d, &Defects::boundary_edges, repaired.part.of[uses[0].facet]);

@@ -1,11 +1,23 @@
 #include "mesh/edges.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "base/bucket_sort.h"
 
 namespace lrcs {
+namespace {
+
+std::vector<std::uint32_t> all_facets(const FacetMesh& mesh) {
+  std::vector<std::uint32_t> all(mesh.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+}  // namespace
+
+Edges::Edges(const FacetMesh& welded) : Edges(welded, all_facets(welded)) {}
 
 Edges::Edges(const FacetMesh& welded, std::span<const std::uint32_t> facets) {
   const auto each_use = [&](const auto& put) {
@@ -26,6 +38,14 @@ Edges::Edges(const FacetMesh& welded, std::span<const std::uint32_t> facets) {
     if (k == 0 || uses_[k].low != uses_[k - 1].low || uses_[k].high != uses_[k - 1].high) begins_.push_back(k);
   }
   begins_.push_back(uses_.size());
+}
+
+std::vector<EdgeUse> open_edges(const FacetMesh& welded) {
+  const Edges edges(welded);
+  std::vector<EdgeUse> open;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    if (edges.uses(edge).size() == 1) open.push_back(edges.uses(edge)[0]);
+  return open;
 }
 
 }  // namespace lrcs

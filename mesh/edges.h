@@ -22,6 +22,7 @@ struct EdgeUse {
 class Edges {
  public:
   Edges(const FacetMesh& welded, std::span<const std::uint32_t> facets);
+  explicit Edges(const FacetMesh& welded);  // of all facets
 
   [[nodiscard]] std::size_t size() const { return begins_.size() - 1; }
   [[nodiscard]] std::span<const EdgeUse> uses(std::size_t edge) const {
@@ -32,5 +33,8 @@ class Edges {
   std::vector<EdgeUse> uses_;
   std::vector<std::size_t> begins_;  // of each edge in uses_, and the end
 };
+
+// The edges that only one facet of a mesh uses, by the use. domain: as above.
+[[nodiscard]] std::vector<EdgeUse> open_edges(const FacetMesh& welded);
 
 }  // namespace lrcs

@@ -1,5 +1,6 @@
 #include "mesh/facet_mesh.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "base/expansion.h"
@@ -49,6 +50,13 @@ void measure_facets(FacetMesh& mesh) {
     mesh.areas[k] = 0.5 * length * mesh.metres_per_unit * mesh.metres_per_unit;
     mesh.normals[k] = length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
   }
+}
+
+double diagonal_of(const FacetMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& facet : mesh.facets)
+    for (const std::uint32_t corner : facet) box.extend(mesh.positions[corner]);
+  return box.isEmpty() ? 0.0 : box.diagonal().stableNorm();
 }
 
 }  // namespace lrcs

@@ -65,4 +65,7 @@ struct FacetMesh {
 // error: 4 units in the last place of every area.
 void measure_facets(FacetMesh& mesh);
 
+// Of the box of all facets, corner to corner [positions' unit]; 0 without facets.
+[[nodiscard]] double diagonal_of(const FacetMesh& mesh);
+
 }  // namespace lrcs

@@ -3,7 +3,6 @@
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -18,34 +17,14 @@ namespace {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
-// The edge of one facet, from corner `corner` to the next.
-struct OpenEdge {
-  std::uint32_t facet, corner;
-};
-
-std::vector<OpenEdge> open_edges(const FacetMesh& mesh) {
-  std::vector<std::uint32_t> all(mesh.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const Edges edges(mesh, all);
-  std::vector<OpenEdge> open;
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    if (edges.uses(edge).size() != 1) continue;
-    const EdgeUse& use = edges.uses(edge)[0];
-    const auto& corners = mesh.facets[use.facet];
-    const auto* const from = std::find(corners.begin(), corners.end(), use.rising ? use.low : use.high);
-    open.push_back({use.facet, static_cast<std::uint32_t>(from - corners.begin())});
-  }
-  return open;
-}
-
 class GapSearch {
  public:
   GapSearch(const FacetMesh& mesh, double tolerance)
       : mesh_(mesh), tolerance_(tolerance), edges_(open_edges(mesh)), left_(10'000'000 + 20 * edges_.size()) {
     for (std::uint32_t k = 0; k < edges_.size(); ++k) {
-      const auto [a, b] = ends(edges_[k]);
-      edge_boxes_.push_back(box_around({a, b}, 0.5 * tolerance, k));
-      for (const std::uint32_t vertex : {a, b}) vertices_.push_back(vertex);
+      const auto [low, high, facet, rising] = edges_[k];
+      edge_boxes_.push_back(box_around({low, high}, 0.5 * tolerance, k));
+      for (const std::uint32_t vertex : {low, high}) vertices_.push_back(vertex);
     }
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
@@ -70,11 +49,6 @@ class GapSearch {
 
  private:
   struct Enough {};  // the only way to stop CGAL early
-
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> ends(const OpenEdge& edge) const {
-    const auto& corners = mesh_.facets[edge.facet];
-    return {corners[edge.corner], corners[(edge.corner + 1) % 3]};
-  }
 
   // Rounded up by more than the sum rounds: no pair within the tolerance is missed.
   [[nodiscard]] Box box_around(const std::array<std::uint32_t, 2>& vertices, double margin, std::uint32_t info) const {
@@ -110,17 +84,18 @@ class GapSearch {
                              });
   }
 
-  void test(const OpenEdge& edge, std::uint32_t vertex, Gaps& gaps) const {
+  void test(const EdgeUse& edge, std::uint32_t vertex, Gaps& gaps) const {
     const auto& corners = mesh_.facets[edge.facet];
     if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) return;
-    const auto [from, to] = ends(edge);
+    const std::uint32_t from = edge.rising ? edge.low : edge.high, to = edge.rising ? edge.high : edge.low;
     if (distance(from, vertex) <= tolerance_ || distance(to, vertex) <= tolerance_) return;
     const Vec3 &a = mesh_.positions[from], &b = mesh_.positions[to], &v = mesh_.positions[vertex];
     const double along = (v - a).dot(b - a) / (b - a).squaredNorm();
     if (along <= 0.0 || along >= 1.0) return;
     // Exactly zero for a vertex exactly on the edge's line.
     if (facet_cross(a, b, v).stableNorm() > tolerance_ * (b - a).stableNorm()) return;
-    gaps.t_junctions.push_back({edge.facet, edge.corner, vertex, along});
+    const auto* const corner = std::find(corners.begin(), corners.end(), from);
+    gaps.t_junctions.push_back({edge.facet, static_cast<std::uint32_t>(corner - corners.begin()), vertex, along});
   }
 
   [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
@@ -129,7 +104,7 @@ class GapSearch {
 
   const FacetMesh& mesh_;
   double tolerance_;
-  std::vector<OpenEdge> edges_;
+  std::vector<EdgeUse> edges_;
   std::size_t left_;
   std::vector<std::uint32_t> vertices_;
   std::vector<Box> edge_boxes_, vertex_boxes_;
@@ -171,10 +146,7 @@ std::size_t split_facets(FacetMesh& mesh, const std::vector<TJunction>& junction
 }  // namespace
 
 double usual_gap(const FacetMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& facet : mesh.facets)
-    for (const std::uint32_t corner : facet) box.extend(mesh.positions[corner]);
-  return mesh.size() > 0 ? usual_gap_of_diagonal * box.diagonal().stableNorm() : 0.0;
+  return usual_gap_of_diagonal * diagonal_of(mesh);
 }
 
 Gaps find_gaps(const FacetMesh& welded, double tolerance) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -24,18 +23,9 @@ struct RimEdge {
 };
 
 std::vector<RimEdge> rim_edges(const FacetMesh& mesh) {
-  std::vector<std::uint32_t> all(mesh.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const Edges edges(mesh, all);
   std::vector<RimEdge> rims;
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    if (edges.uses(edge).size() != 1) continue;
-    const EdgeUse& use = edges.uses(edge)[0];
-    if (use.rising)
-      rims.push_back({use.high, use.low, use.facet});
-    else
-      rims.push_back({use.low, use.high, use.facet});
-  }
+  for (const EdgeUse& use : open_edges(mesh))
+    rims.push_back(use.rising ? RimEdge{use.high, use.low, use.facet} : RimEdge{use.low, use.high, use.facet});
   std::stable_sort(rims.begin(), rims.end(), [](const RimEdge& a, const RimEdge& b) { return a.facet < b.facet; });
   return rims;
 }

@@ -62,11 +62,6 @@ std::string normals_text(const Diagnosis& d) {
                      d.facets);
 }
 
-// "" is a part that the file gives no name.
-std::string shown_name(const std::string& name) {
-  return name.empty() ? "(no name)" : name;
-}
-
 // Shown at most, of what there may be many of.
 constexpr std::size_t most_lines = 12;
 
@@ -302,6 +297,10 @@ Json box_json(const Diagnosis& d) {
 }
 
 }  // namespace
+
+std::string shown_name(const std::string& name) {
+  return name.empty() ? "(no name)" : name;
+}
 
 std::string info_text(const Diagnosis& d, const FileFacts& facts) {
   const std::string length = facts.unit.empty() ? "unit" : "m";

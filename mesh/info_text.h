@@ -6,6 +6,9 @@
 
 namespace lrcs {
 
+// A part's name as people see it; "" is one that the file gives no name.
+[[nodiscard]] std::string shown_name(const std::string& name);
+
 // What is known of a file besides its facets.
 struct FileFacts {
   std::string file;

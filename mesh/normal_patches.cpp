@@ -7,9 +7,6 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// Normals and areas nearer to the facet's than this are the facet's: sigma does not change beyond its rounding.
-constexpr double alike = 1e-12;
-
 // The control points of a cubic Bezier triangle; side[j][k]: by corner j on the side to corner k.
 struct BezierTriangle {
   Corners corner;
@@ -64,7 +61,7 @@ Bend bend_of(const Corners& normals, const Vec3& flat) {
   Bend bend = Bend::none;
   for (const Vec3& normal : normals) {
     if (!(normal.dot(flat) >= std::cos(most_turned))) return Bend::unknown;
-    if ((normal - flat).norm() > alike) bend = Bend::usable;
+    if ((normal - flat).norm() > patch_alike) bend = Bend::usable;
   }
   return bend;
 }

@@ -130,15 +130,15 @@ FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
   if (content.size() != stl_header + stl_record * count)
     throw InputError(Place{file}, fmt::format("has {} bytes, expected {} for the {} facets of its binary STL header",
                                               content.size(), stl_header + stl_record * count, count));
-  const std::vector<Vec3> vertices = vertices_of(content, count, file);
-  std::vector<Vec3> different = vertices;
-  const std::vector<std::uint32_t> place = keep_different(different);
+  std::vector<Vec3> vertices = vertices_of(content, count, file);
+  const std::size_t normals_against = count_normals_against(content, vertices);
+  const std::vector<std::uint32_t> place = keep_different(vertices);
   MeshBuilder builder;
-  builder.reserve(different.size(), count);
-  for (const Vec3& p : different) builder.add_position(p);
+  builder.reserve(vertices.size(), count);
+  for (const Vec3& p : vertices) builder.add_position(p);
   for (std::size_t k = 0; k < count; ++k) builder.add_polygon(std::span(place).subspan(3 * k, 3));
   FacetMesh mesh = builder.finish();
-  mesh.normals_against = count_normals_against(content, vertices);
+  mesh.normals_against = normals_against;
   return mesh;
 }
 
