@@ -62,30 +62,20 @@ Json materials_json(const LoadedTarget& loaded) {
   return materials;
 }
 
-const char* key_of(AssignRule::By by) {
-  switch (by) {
-    case AssignRule::By::part:
-      return "part";
-    case AssignRule::By::file_material:
-      return "file_material";
-    case AssignRule::By::colour:
-      return "colour";
-    case AssignRule::By::layer:
-      return "layer";
-    default:
-      return "value";
-  }
-}
-
 // As the scene file says it.
 Json assign_json(const std::vector<AssignRule>& rules) {
   Json assign = Json::array();
   for (const AssignRule& rule : rules) {
-    const bool everything = rule.by == AssignRule::By::everything;
+    const std::string& key = key_of(rule.by);
     Json& json = assign.emplace_back(Json::object());
-    if (rule.by == AssignRule::By::property) json["property"] = rule.property;
-    if (!everything) json[key_of(rule.by)] = rule.pattern;
-    json[everything ? "default" : "material"] = rule.material;
+    if (rule.by == AssignRule::By::everything) {
+      json[key] = rule.material;
+    } else {
+      const bool is_property = rule.by == AssignRule::By::property;
+      if (is_property) json[key] = rule.property;
+      json[is_property ? "value" : key] = rule.pattern;
+      json["material"] = rule.material;
+    }
     if (!rule.back.empty()) json["back"] = rule.back;
   }
   return assign;

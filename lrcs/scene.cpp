@@ -66,6 +66,7 @@ const std::map<std::string, AssignRule::By> keys_of_patterns{{"part", AssignRule
                                                              {"colour", AssignRule::By::colour},
                                                              {"layer", AssignRule::By::layer},
                                                              {"property", AssignRule::By::property}};
+const std::string key_of_everything = "default";
 
 std::string key_of_pattern(const LocatedYaml& rule) {
   std::string found;
@@ -226,6 +227,12 @@ void set_chord_angle(Tessellation& tessellation, double angle_deg, const Place& 
   if (!(angle_deg >= 0.1 && angle_deg <= 90.0))
     throw InputError(place, fmt::format("expected 0.1..90 deg from edge to edge, found {}", angle_deg));
   tessellation.angle_deg = angle_deg;
+}
+
+const std::string& key_of(AssignRule::By by) {
+  for (const auto& [key, its_by] : keys_of_patterns)
+    if (its_by == by) return key;
+  return key_of_everything;
 }
 
 Scene read_scene(const std::filesystem::path& file) {

@@ -23,6 +23,9 @@ struct AssignRule {
   std::string back{};      // what the side behind the winding has instead; "": both sides have `material`
 };
 
+// What a rule goes by, as the scene file says it: part, file_material, colour, layer, property, default.
+[[nodiscard]] const std::string& key_of(AssignRule::By by);
+
 // The target's file and how it is to be read.
 struct TargetFile {
   std::filesystem::path file;
