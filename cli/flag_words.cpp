@@ -97,7 +97,11 @@ void require_output_file(const std::string& file, const std::string& flag, const
   const std::filesystem::path path = file;
   if (std::find(endings.begin(), endings.end(), path.extension().string()) == endings.end())
     throw InputError(fmt::format("{}: expected a file that ends in {}, found '{}'", flag, endings.front(), file));
-  const std::filesystem::path folder = path.parent_path();
+  require_folder_of(path, flag);
+}
+
+void require_folder_of(const std::filesystem::path& file, const std::string& flag) {
+  const std::filesystem::path folder = file.parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder))
     throw InputError(fmt::format("{}: no such folder: '{}'", flag, folder.string()));
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ extern const AngleDomain azimuth_domain, elevation_domain, incidence_domain;
 // The file that a flag names can be written: it has one of these endings (the first is the one to name), and its folder
 // is there.
 void require_output_file(const std::string& file, const std::string& flag, const std::vector<std::string>& endings);
+
+// The folder of the file that a flag names is there.
+void require_folder_of(const std::filesystem::path& file, const std::string& flag);
 
 // The words between the separators: one more than there are separators.
 [[nodiscard]] std::vector<std::string> split(std::string_view words, char separator);

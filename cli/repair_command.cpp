@@ -9,9 +9,11 @@
 #include "base/length.h"
 #include "cad/read_target.h"
 #include "cli/commands.h"
-#include "lrcs/scene.h"
+#include "cli/flag_words.h"
+#include "cli/tessellation_flags.h"
 #include "mesh/diagnosis.h"
 #include "mesh/gaps.h"
+#include "mesh/info_text.h"
 #include "mesh/thorough_repair.h"
 #include "mesh/write_mesh.h"
 #include "view/facets_vtp.h"
@@ -22,7 +24,8 @@ namespace {
 constexpr std::size_t usual_hole_edges = 1000;
 
 struct Options {
-  std::string target, unit, chord_tolerance, tolerance, output;
+  std::string target, tolerance, output;
+  TessellationFlags file;
   bool drop_opposite = false;
   std::size_t most_hole_edges = 0;
 };
@@ -38,7 +41,7 @@ double tolerance_of(const Options& options, const TargetRead& read) {
     if (!(number >= 0.0 && number <= 0.1))
       throw InputError(place,
                        fmt::format("expected 0..0.1 of the diagonal of the target's box, found {}", options.tolerance));
-    return number / usual_gap_of_diagonal * usual_gap(read.mesh);
+    return number * diagonal_of(read.mesh);
   }
   if (read.unit.empty())
     throw InputError(place,
@@ -55,14 +58,11 @@ bool is_vtp(const std::filesystem::path& file) {
   return extension == ".vtp" || extension == ".VTP";
 }
 
-void require_known_format(const std::filesystem::path& file) {
-  if (is_vtp(file) || writes_mesh(file)) return;
-  throw InputError(Place{file.string()},
-                   fmt::format("expected a name that ends in one of {}, .vtp", fmt::join(mesh_extensions(), ", ")));
-}
-
-std::string shown_name(const std::string& name) {
-  return name.empty() ? "(no name)" : name;
+void require_writable(const std::filesystem::path& file) {
+  if (!is_vtp(file) && !writes_mesh(file))
+    throw InputError(Place{file.string()},
+                     fmt::format("expected a name that ends in one of {}, .vtp", fmt::join(mesh_extensions(), ", ")));
+  require_folder_of(file, "--output");
 }
 
 // What was done to the whole.
@@ -111,13 +111,10 @@ std::string unit_text(const TargetRead& read) {
 }
 
 void run(const Options& options, bool quiet) {
-  require_known_format(options.output);
-  if (!options.unit.empty()) (void)checked_unit(options.unit, Place{"--unit"});
-  Tessellation tessellation;
+  require_writable(options.output);
+  Tessellation tessellation = options.file.tessellation();
   tessellation.curving.by = Curving::By::nothing;
-  if (!options.chord_tolerance.empty())
-    set_chord_tolerance(tessellation, options.chord_tolerance, Place{"--chord-tolerance"});
-  TargetRead read = read_target(options.target, options.unit, tessellation);
+  TargetRead read = read_target(options.target, options.file.unit, tessellation);
   const double tolerance = tolerance_of(options, read);
   const ThoroughRepairs repairs =
       repair_thoroughly(read.mesh, {tolerance, options.drop_opposite, options.most_hole_edges});
@@ -146,9 +143,7 @@ void add_repair_command(CLI::App& app, Common& common) {
   verb->add_option("target", options->target, "A file that info reads")->required();
   verb->add_option("-o,--output", options->output, "OBJ, PLY, OFF, STL or VTP file to write, in the target's unit")
       ->required();
-  verb->add_option("--unit", options->unit, "Unit of the target's coordinates (mm, m, inch, ...)");
-  verb->add_option("--chord-tolerance", options->chord_tolerance,
-                   "How far facets may lie off CAD surfaces: of a part's size (default 1e-3), or a length");
+  options->file.add_to(*verb);
   verb->add_option("--tolerance", options->tolerance,
                    "Gaps to close: of the diagonal of the target's box (default 1e-6), or a length; 0: none");
   verb->add_flag("--drop-opposite", options->drop_opposite,

@@ -98,6 +98,7 @@ TEST(Repair, SaysWhatIsWrongWithItsWords) {
       {{"-o", "x.obj", "--tolerance", "1 q"}, "--tolerance: "},
       {{"-o", "x.obj", "--fill-holes", "many"}, "--fill-holes"},
       {{"-o", "x.obj", "--unit", "q"}, "--unit: unknown length unit 'q'"},
+      {{"-o", "none/x.obj"}, "--output: no such folder: 'none'"},
       {{}, "--output is required"}};
   for (const auto& [words, complaint] : cases) {
     std::vector<std::string> all{"repair", "leaky.obj"};
