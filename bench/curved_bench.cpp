@@ -42,6 +42,8 @@ struct Options {
   bool is_short = false;
 };
 
+constexpr double wanted_error = 1e-6;  // relative, of the last size; the ellipsoid misses it (docs/accuracy.md)
+
 constexpr std::array<Facets, 3> ways{Facets::flat, Facets::of_surface, Facets::of_estimated_normals};
 constexpr std::array<const char*, 3> way_names{"flat facets", "true surface", "estimated normals"};
 
@@ -147,7 +149,7 @@ int measure_all(const Options& options) {
       std::fflush(stdout);
       for (std::size_t w = 0; w < ways.size(); ++w) of_body[w].points.push_back(m[w]);
     }
-    met = met && (body.name == "ellipsoid" || of_body[1].points.back().error <= 1e-6);
+    met = met && (body.name == "ellipsoid" || of_body[1].points.back().error <= wanted_error);
     lines.insert(lines.end(), of_body.begin(), of_body.end());
   }
   if (!options.png.empty()) draw(options.png, lines, options.material);

@@ -1,6 +1,5 @@
 #include "bench/curved_bodies.h"
 
-#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <numbers>
@@ -34,14 +33,6 @@ CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const Rou
   return body;
 }
 
-RoundSurface ellipsoid_surface(double a, double b, double c) {
-  return {
-      -pi / 2,
-      pi / 2,
-      [=](double v) { return Vec3(std::cos(v) * Vec3(b * c * std::cos(v), a * c * std::cos(v), a * b * std::sin(v))); },
-      {}};
-}
-
 }  // namespace
 
 std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
@@ -50,21 +41,13 @@ std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
                                       aspect({130, -40}, {75, 5})};
   const std::vector<Aspect> from_above{aspect({40, 75}, {40, 75}), aspect({10, 62}, {10, 62}),
                                        aspect({200, 68}, {200, 68}), aspect({40, 80}, {70, 65})};
-  gp_GTrsf stretch;
-  stretch.SetValue(1, 1, 1.0), stretch.SetValue(2, 2, 0.7), stretch.SetValue(3, 3, 0.5);
   const RoundSurface tube{0, 1, [](double) { return Vec3(1, 1, 0); }, {{Vec3(0, 0, 1), pi}, {Vec3(0, 0, -1), pi}}};
   const RoundSurface cone{0, 1, [](double v) { return Vec3((1 - v) * Vec3(3, 3, 1)); }, {{Vec3(0, 0, -1), pi}}};
-  const RoundSurface torus{
-      0.0,
-      2 * pi,
-      [](double v) { return Vec3(0.4 * (1.0 + 0.4 * std::cos(v)) * Vec3(std::cos(v), std::cos(v), std::sin(v))); },
-      {}};
   return {body_of("sphere", BRepPrimAPI_MakeSphere(m).Shape(), ellipsoid_surface(1, 1, 1), brdf, all_round),
           body_of("cylinder", BRepPrimAPI_MakeCylinder(m, m).Shape(), tube, brdf, all_round),
           body_of("cone", BRepPrimAPI_MakeCone(m, 0, 3 * m).Shape(), cone, brdf, all_round),
-          body_of("torus", BRepPrimAPI_MakeTorus(m, 0.4 * m).Shape(), torus, brdf, from_above),
-          body_of("ellipsoid", BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(m).Shape(), stretch, true).Shape(),
-                  ellipsoid_surface(1, 0.7, 0.5), brdf, all_round)};
+          body_of("torus", BRepPrimAPI_MakeTorus(m, 0.4 * m).Shape(), torus_surface(1, 0.4), brdf, from_above),
+          body_of("ellipsoid", ellipsoid_of(m, 1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), brdf, all_round)};
 }
 
 Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const Brdf& brdf) {

@@ -1,6 +1,5 @@
 // lrcs_import_bench: how long it takes from a file to a target that is ready. See about() or --help.
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
@@ -26,6 +25,7 @@
 #include "lrcs/visibility.h"
 #include "mesh/diagnosis.h"
 #include "mesh/read_mesh.h"
+#include "tests/scratch_folder.h"
 
 namespace lrcs {
 namespace {
@@ -96,26 +96,6 @@ ImportTimes measure(const std::filesystem::path& file, std::size_t facets, int r
   return {median(vtk), median(ready), median(reading), median(tree), median(surface), median(diagnosis)};
 }
 
-// A folder of its own that goes with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "lrcs-import-XXXXXX").string();
-    require(mkdtemp(name.data()) != nullptr, "no scratch folder");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 // The largest ratio to VTK among the binary formats.
 double compare(std::uint32_t rings, int runs) {
   const ScratchFolder folder;
@@ -125,7 +105,7 @@ double compare(std::uint32_t rings, int runs) {
   double most = 0.0;
   for (const WrittenFormat& format : written_formats()) {
     const auto file = folder.path() / (std::string("target") + format.extension);
-    write_mesh(mesh, format, file);
+    format.write(file, mesh);
     const ImportTimes t = measure(file, mesh.size(), runs);
     fmt::print("{:12}{:10.0f}{:10.0f}{:8.2f}{:10.0f}{:10.0f}{:8.0f}{:10.0f}{:11.0f}\n", format.name, 1e3 * t.vtk,
                1e3 * t.ready, t.ready / t.vtk, 1e3 * t.reading, 1e3 * (t.ready - t.reading - t.tree), 1e3 * t.tree,

@@ -5,8 +5,10 @@
 #include <array>
 #include <bit>
 #include <iterator>
+#include <string>
 
 #include "base/whole_file.h"
+#include "mesh/write_mesh.h"
 
 namespace lrcs {
 namespace {
@@ -22,16 +24,6 @@ void append_floats(const Vec3& v, std::string& bytes) {
 void append_text(const char* before, const Vec3& v, std::string& text) {
   const Eigen::Vector3f p = v.cast<float>();
   fmt::format_to(std::back_inserter(text), "{}{} {} {}\n", before, p.x(), p.y(), p.z());
-}
-
-void append_binary_stl(const FacetMesh& mesh, std::string& bytes) {
-  bytes.append(80, ' ');
-  append_bits(static_cast<std::uint32_t>(mesh.size()), bytes);
-  for (std::size_t k = 0; k < mesh.size(); ++k) {
-    append_floats(mesh.normals[k], bytes);
-    for (const Vec3& corner : mesh.corners(k)) append_floats(corner, bytes);
-    bytes.append(2, '\0');
-  }
 }
 
 void append_text_stl(const FacetMesh& mesh, std::string& text) {
@@ -67,20 +59,22 @@ void append_text_ply(const FacetMesh& mesh, std::string& text) {
   for (const auto& [a, b, c] : mesh.facets) fmt::format_to(std::back_inserter(text), "3 {} {} {}\n", a, b, c);
 }
 
-constexpr std::array formats{
-    WrittenFormat{"STL, binary", ".stl", append_binary_stl}, WrittenFormat{"STL, text", ".stl", append_text_stl},
-    WrittenFormat{"PLY, binary", ".ply", append_binary_ply}, WrittenFormat{"PLY, text", ".ply", append_text_ply}};
+template <void (*append)(const FacetMesh&, std::string&)>
+void write(const std::filesystem::path& file, const FacetMesh& mesh) {
+  std::string bytes;
+  append(mesh, bytes);
+  write_whole_file(file, bytes);
+}
+
+constexpr std::array formats{WrittenFormat{"STL, binary", ".stl", write_mesh},
+                             WrittenFormat{"STL, text", ".stl", write<append_text_stl>},
+                             WrittenFormat{"PLY, binary", ".ply", write<append_binary_ply>},
+                             WrittenFormat{"PLY, text", ".ply", write<append_text_ply>}};
 
 }  // namespace
 
 std::span<const WrittenFormat> written_formats() {
   return formats;
-}
-
-void write_mesh(const FacetMesh& mesh, const WrittenFormat& format, const std::filesystem::path& file) {
-  std::string bytes;
-  format.append(mesh, bytes);
-  write_whole_file(file, bytes);
 }
 
 }  // namespace lrcs

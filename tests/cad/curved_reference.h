@@ -72,6 +72,24 @@ inline double unshaded_sigma(const RoundSurface& surface, const Brdf& brdf, cons
       brdf);
 }
 
+// By its half axes.
+inline RoundSurface ellipsoid_surface(double a, double b, double c) {
+  return {
+      -std::numbers::pi / 2,
+      std::numbers::pi / 2,
+      [=](double v) { return Vec3(std::cos(v) * Vec3(b * c * std::cos(v), a * c * std::cos(v), a * b * std::sin(v))); },
+      {}};
+}
+
+// About z.
+inline RoundSurface torus_surface(double ring, double tube) {
+  return {
+      0.0,
+      2 * std::numbers::pi,
+      [=](double v) { return Vec3(tube * (ring + tube * std::cos(v)) * Vec3(std::cos(v), std::cos(v), std::sin(v))); },
+      {}};
+}
+
 // A torus about z that shades itself, monostatic: where the line of sight from a place meets it again, a cubic tells.
 class ShadedTorus {
  public:

@@ -73,33 +73,11 @@ struct Solid {
   std::vector<Aspect> aspects;
 };
 
-TopoDS_Shape ellipsoid_of(double a, double b, double c) {
-  gp_GTrsf stretch;
-  stretch.SetValue(1, 1, a), stretch.SetValue(2, 2, b), stretch.SetValue(3, 3, c);
-  return BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(m).Shape(), stretch, true).Shape();
-}
-
 // z = r^2 / 2, r up to 1 m.
 TopoDS_Shape paraboloid() {
   const gp_Parab curve(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp_Dir(0, 0, 1)), 0.5 * m);
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(Handle(Geom_Parabola)(new Geom_Parabola(curve)), 0.0, m);
   return BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape();
-}
-
-RoundSurface ellipsoid_surface(double a, double b, double c) {
-  return {
-      -std::numbers::pi / 2,
-      std::numbers::pi / 2,
-      [=](double v) { return Vec3(std::cos(v) * Vec3(b * c * std::cos(v), a * c * std::cos(v), a * b * std::sin(v))); },
-      {}};
-}
-
-RoundSurface torus_surface(double ring, double tube) {
-  return {
-      0.0,
-      2 * std::numbers::pi,
-      [=](double v) { return Vec3(tube * (ring + tube * std::cos(v)) * Vec3(std::cos(v), std::cos(v), std::sin(v))); },
-      {}};
 }
 
 std::vector<Solid> solids() {
@@ -127,7 +105,7 @@ std::vector<Solid> solids() {
            1e-6,
            all_round},
           {"torus", BRepPrimAPI_MakeTorus(m, 0.4 * m), torus_surface(1, 0.4), 7.3, 1e-6, from_above},
-          {"ellipsoid", ellipsoid_of(1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), 2.4, 5e-6, all_round},
+          {"ellipsoid", ellipsoid_of(m, 1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), 2.4, 5e-6, all_round},
           {"paraboloid",
            paraboloid(),
            {0, 1, [](double v) { return Vec3(v * Vec3(v, v, -1)); }, {}},

@@ -1,4 +1,5 @@
 #pragma once
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -28,6 +29,13 @@ namespace lrcs {
 
 inline TopoDS_Shape box_of(double x, double y, double z) {
   return BRepPrimAPI_MakeBox(x, y, z).Shape();
+}
+
+// A sphere, stretched along x, y and z.
+inline TopoDS_Shape ellipsoid_of(double radius, double a, double b, double c) {
+  gp_GTrsf stretch;
+  stretch.SetValue(1, 1, a), stretch.SetValue(2, 2, b), stretch.SetValue(3, 3, c);
+  return BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(radius).Shape(), stretch, true).Shape();
 }
 
 inline TopLoc_Location moved_by(double x, double y, double z) {

@@ -10,7 +10,7 @@
 #include "lrcs/row_sums.h"
 #include "lrcs/sweep.h"
 #include "lrcs/touching_facets.h"
-#include "test_targets.h"
+#include "tests/lrcs/honest_samples.h"
 
 namespace lrcs {
 namespace {
@@ -21,26 +21,6 @@ FacetMesh two_spheres(double size = 1.0, const Vec3& at = Vec3::Zero()) {
   append(mesh, sphere(0.7, 60), {1.2, 0.3, 0.2});
   for (Vec3& p : mesh.positions) p = size * p + at;
   return mesh;
-}
-
-void expect_honest(const Target& target, double relative, bool bistatic, std::uint64_t seed) {
-  ASSERT_TRUE(SampledSections::may_pay(target, relative));
-  const SampledSections sampled(target, relative, bistatic);
-  const Visibility visibility(target.mesh);
-  std::mt19937_64 random(seed);
-  int found = 0;
-  for (int k = 0; k < 20; ++k) {
-    const Vec3 di = random_direction(random);
-    const Vec3 dr = bistatic ? Vec3((di + 0.4 * random_direction(random)).normalized()) : di;
-    const auto section = sampled.section(di, dr);
-    if (!section) continue;
-    ++found;
-    const CrossSection truth = cross_section(target, visibility, di, dr);
-    EXPECT_LE(section->sigma.bound, relative * section->sigma.value);
-    EXPECT_LE(std::abs(section->sigma.value - truth.sigma.value), section->sigma.bound) << k;
-    EXPECT_NEAR(section->seen_area, truth.seen_area, 2.0 * relative * truth.seen_area);
-  }
-  EXPECT_GT(found, 10);
 }
 
 TEST(SampledSections, AreWithinTheirBoundAndTheBoundWithinWhatWasAsked) {

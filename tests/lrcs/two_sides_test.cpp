@@ -7,6 +7,7 @@
 #include "lrcs/mirror_planes.h"
 #include "lrcs/sampled_sections.h"
 #include "lrcs/sweep.h"
+#include "tests/lrcs/honest_samples.h"
 #include "tests/lrcs/test_targets.h"
 
 namespace lrcs {
@@ -143,24 +144,7 @@ TEST(TwoSides, BothBoundWhatAFacetMayReturnThatIsEdgeOnAsFarAsDoublesTell) {
 }
 
 TEST(TwoSides, AreSampledWithinTheirBound) {
-  const Target target = two_sided(bowls());
-  constexpr double relative = 2e-2;
-  ASSERT_TRUE(SampledSections::may_pay(target, relative));
-  const Visibility visibility(target.mesh);
-  for (const bool bistatic : {false, true}) {
-    const SampledSections sampled(target, relative, bistatic);
-    std::mt19937_64 random(75);
-    int found = 0;
-    for (int k = 0; k < 20; ++k) {
-      const Vec3 di = random_direction(random);
-      const Vec3 dr = bistatic ? Vec3((di + 0.4 * random_direction(random)).normalized()) : di;
-      const auto section = sampled.section(di, dr);
-      if (!section) continue;
-      ++found;
-      EXPECT_NEAR(section->sigma.value, cross_section(target, visibility, di, dr).sigma.value, section->sigma.bound);
-    }
-    EXPECT_GT(found, 10);
-  }
+  for (const bool bistatic : {false, true}) expect_honest(two_sided(bowls()), 2e-2, bistatic, 75);
 }
 
 TEST(TwoSides, OfALambertSheetAreSampledToItsFormula) {
