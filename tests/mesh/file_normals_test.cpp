@@ -8,6 +8,7 @@
 #include "mesh/normal_patches.h"
 #include "mesh/repair.h"
 #include "normal_files.h"
+#include "tests/mutations.h"
 
 namespace lrcs {
 namespace {
@@ -235,6 +236,32 @@ TEST(FileNormals, ThatAreMissingOrWrongAreAnErrorWithItsPlace) {
       {"a.ply", ply(nan, "binary_little_endian"),
        "a.ply: normal 4 of the file (from 0), which its face 1 has, is (0, nan, 0), expected a length above 0"}};
   for (const BadFile& bad : files) EXPECT_EQ(complaint_about_normals(bad.name, bad.content), bad.complaint);
+}
+
+TEST(FileNormals, OfDamagedFilesMakePatchesOrAnInputError) {
+  const CornerMesh tube = cylinder_with_normals(8, 2.0);
+  const VertexMesh own = unwelded(tube);
+  const std::vector<std::pair<std::string, std::string>> good{{"a.obj", obj(tube)},
+                                                              {"a.off", noff(own)},
+                                                              {"text.ply", ply(own, "ascii")},
+                                                              {"big.ply", ply(own, "binary_big_endian")}};
+  const Folder folder;
+  Mutations mutations(11);
+  int refused = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto& [name, content] = good[static_cast<std::size_t>(k) % good.size()];
+    try {
+      const Curved read = curved_by_file(folder, name, mutations.of(content, good[0].second));
+      for (const CurvedPatch& patch : read.mesh.curved.patches)
+        for (std::size_t p = 0; p < PatchRule::size; ++p)
+          EXPECT_TRUE(std::isfinite(patch.area[p]) && std::abs(patch.normal[p].norm() - 1.0) < 1e-12) << k;
+    } catch (const InputError& wrong) {
+      EXPECT_EQ(std::string_view(wrong.what()).find('\n'), std::string_view::npos) << wrong.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_LT(refused, 1950);
 }
 
 }  // namespace
