@@ -11,12 +11,13 @@ struct Curving {
     cad_surfaces,       // those of CAD files; facets of other files are flat
     nothing,            // all facets are flat
     estimated_normals,  // a model: through the facets' corners, with normals estimated there (mesh/corner_normals.h)
+    file_normals,       // the same model with the normals that the file gives there (mesh/file_normals.h)
   };
   By by = By::cad_surfaces;
   double crease_deg = 0.0;  // of estimated_normals: where facets turn by more there is an edge [deg]
 };
 
-// "auto", "none", "crease:30". crease: 1..89 deg. error: InputError.
+// "auto", "none", "crease:30", "file_normals". crease: 1..89 deg. error: InputError.
 [[nodiscard]] Curving curving_from_words(const std::string& words, const Place& place);
 
 // The words.

@@ -19,6 +19,7 @@
 #include "base/input_error.h"
 #include "base/length.h"
 #include "cad/part_names.h"
+#include "mesh/file_normals.h"
 #include "mesh/mesh_builder.h"
 
 namespace lrcs {
@@ -37,6 +38,14 @@ Place3 placed(const Place3& outer, const Place3& inner) {
   both.leftCols<3>() = outer.leftCols<3>() * inner.leftCols<3>();
   both.col(3) = outer.leftCols<3>() * inner.col(3) + outer.col(3);
   return both;
+}
+
+// What a place does to normals, but for their length: they stay across their surface, and on the side they point to.
+Eigen::Matrix3d placing_normals(const Place3& place) {
+  const Vec3 x = place.col(0), y = place.col(1), z = place.col(2);
+  Eigen::Matrix3d cofactors;
+  cofactors << y.cross(z), z.cross(x), x.cross(y);
+  return x.dot(y.cross(z)) < 0.0 ? Eigen::Matrix3d(-cofactors) : cofactors;
 }
 
 // On one line.
@@ -88,8 +97,9 @@ std::string material_name(const aiMaterial& material, FileFormat format) {
 
 class Walk {
  public:
-  Walk(const aiScene& scene, FileFormat format, std::string file)
-      : scene_(scene), format_(format), file_(std::move(file)) {}
+  // normals: get those of all vertices; null: not wanted.
+  Walk(const aiScene& scene, FileFormat format, std::string file, FileNormals* normals)
+      : scene_(scene), format_(format), file_(std::move(file)), normals_(normals) {}
 
   FacetMesh run() {
     find_instances();
@@ -152,6 +162,7 @@ class Walk {
     builder_.begin_colour(name.empty() ? "" : colour_of(material, format_));
     const auto first = static_cast<std::uint32_t>(builder_.position_count());
     for (unsigned k = 0; k < mesh.mNumVertices; ++k) builder_.add_position(position(mesh.mVertices[k], here));
+    if (normals_ != nullptr) add_normals(mesh, here);
     const bool turn = here.leftCols<3>().determinant() < 0.0;
     for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
       const aiFace& face = mesh.mFaces[k];
@@ -168,6 +179,18 @@ class Walk {
     }
   }
 
+  void add_normals(const aiMesh& mesh, const Place3& here) {
+    constexpr unsigned no_faces = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
+    if (!mesh.HasNormals() && (mesh.mPrimitiveTypes & ~no_faces) != 0)
+      throw InputError(Place{file_}, fmt::format("mesh '{}' has no normals at its vertices, expected them for curved: "
+                                                 "file_normals",
+                                                 text_of(mesh.mName)));
+    const Eigen::Matrix3d placing = placing_normals(here);
+    for (unsigned k = 0; k < mesh.mNumVertices; ++k)
+      normals_->add(mesh.HasNormals() ? Vec3(placing * Vec3(mesh.mNormals[k].x, mesh.mNormals[k].y, mesh.mNormals[k].z))
+                                      : Vec3(Vec3::Zero()));
+  }
+
   [[nodiscard]] Vec3 position(const aiVector3D& v, const Place3& here) const {
     Vec3 p = here.leftCols<3>() * Vec3(v.x, v.y, v.z) + here.col(3);
     for (const double x : p)
@@ -180,6 +203,7 @@ class Walk {
   const aiScene& scene_;
   FileFormat format_;
   std::string file_;
+  FileNormals* normals_;
   std::vector<Waiting> waiting_, instances_;
   MeshBuilder builder_;
   std::vector<std::uint32_t> corners_;
@@ -233,7 +257,7 @@ nlohmann::json json_of(const std::filesystem::path& file) {
 }
 
 // What assimp would read as if it were not there.
-void require_plain_gltf(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+void require_plain_gltf(const std::filesystem::path& file, bool normals_wanted, std::vector<std::string>& warnings) {
   const auto json = json_of(file);
   const auto list = [](const nlohmann::json& holder, const char* key) {
     const auto found = holder.find(key);
@@ -254,11 +278,16 @@ void require_plain_gltf(const std::filesystem::path& file, std::vector<std::stri
     for (const auto& primitive : list(mesh, "primitives")) {
       if (primitive.contains("targets") && warnings.empty())
         warnings.emplace_back("morph targets are not applied: meshes are as they were modelled");
-      const auto index = primitive.value("/attributes/POSITION"_json_pointer, nlohmann::json());
-      if (!index.is_number_unsigned() || index.get<std::size_t>() >= accessors.size()) continue;
-      constexpr int floats = 5126;
-      if (accessors[index.get<std::size_t>()].value("componentType", floats) != floats)
-        throw InputError(Place{file.string()}, "has positions that are not floats, expected glTF without quantization");
+      const auto require_floats = [&](const nlohmann::json::json_pointer& attribute, const char* what) {
+        const auto index = primitive.value(attribute, nlohmann::json());
+        if (!index.is_number_unsigned() || index.get<std::size_t>() >= accessors.size()) return;
+        constexpr int floats = 5126;
+        if (accessors[index.get<std::size_t>()].value("componentType", floats) != floats)
+          throw InputError(Place{file.string()},
+                           fmt::format("has {} that are not floats, expected glTF without quantization", what));
+      };
+      require_floats("/attributes/POSITION"_json_pointer, "positions");
+      if (normals_wanted) require_floats("/attributes/NORMAL"_json_pointer, "normals");
     }
 }
 
@@ -307,11 +336,13 @@ std::string unit_of_3mf(const std::string& file, std::vector<std::string>& warni
 
 }  // namespace
 
-ImportedMesh read_nodes(const std::filesystem::path& file, FileFormat format, const std::string& unit) {
+ImportedMesh read_nodes(const std::filesystem::path& file, FileFormat format, const std::string& unit,
+                        const Curving& curving) {
   ImportedMesh imported;
+  const bool by_normals = curving.by == Curving::By::file_normals;
   std::string said = "m";
   if (format == FileFormat::gltf)
-    require_plain_gltf(file, imported.warnings);
+    require_plain_gltf(file, by_normals, imported.warnings);
   else
     said = unit_of_3mf(file.string(), imported.warnings);
   const Log log(imported.warnings);
@@ -319,8 +350,10 @@ ImportedMesh read_nodes(const std::filesystem::path& file, FileFormat format, co
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(Place{file.string()}, fmt::format("cannot be read: {}", importer.GetErrorString()));
-  imported.mesh = Walk(*scene, format, file.string()).run();
+  FileNormals normals;
+  imported.mesh = Walk(*scene, format, file.string(), by_normals ? &normals : nullptr).run();
   if (imported.mesh.size() == 0) throw InputError(Place{file.string()}, "holds no facets, expected at least one");
+  if (by_normals) normals.curve(imported.mesh, file.string(), imported.warnings);
   imported.unit = unit.empty() ? said : unit;
   imported.mesh.metres_per_unit = metres_in(imported.unit);
   if (scene->mNumAnimations > 0) imported.warnings.push_back("animations are not applied");

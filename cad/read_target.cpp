@@ -12,6 +12,7 @@
 #include "cad/imported_mesh.h"
 #include "cad/reader_module.h"
 #include "mesh/file_format.h"
+#include "mesh/file_normals.h"
 #include "mesh/read_mesh.h"
 
 namespace lrcs {
@@ -45,6 +46,8 @@ const char* reader_of(FileFormat format) {
 TargetRead read_contained(const std::filesystem::path& file, FileFormat format, const std::string& unit,
                           const Tessellation& wanted) {
   const bool surfaces = holds_surfaces(format);
+  if (surfaces && wanted.curving.by == Curving::By::file_normals)
+    throw InputError(Place{file.string()}, "holds surfaces, not normals at vertices, expected curved: auto");
   const std::string bytes = contained(file.string(), limits_for(file, format, wanted), [&] {
     std::string result;
     load_reader(reader_of(format))({file.string(), format, unit, wanted}, result);
@@ -78,7 +81,10 @@ void doubt_unit(TargetRead& read) {
 TargetRead read_any(const std::filesystem::path& file, const std::string& unit, const Tessellation& tessellation) {
   if (const auto format = foreign_format_of(file)) return read_contained(file, *format, unit, tessellation);
   TargetRead target;
-  target.mesh = read_mesh(file, &target.warnings);
+  const bool by_normals = tessellation.curving.by == Curving::By::file_normals;
+  FileNormals normals;
+  target.mesh = read_mesh(file, &target.warnings, by_normals ? &normals : nullptr);
+  if (by_normals) normals.curve(target.mesh, file.string(), target.warnings);
   target.unit = unit;
   if (!unit.empty()) target.mesh.metres_per_unit = metres_in(unit);
   return target;

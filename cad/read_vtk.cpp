@@ -10,6 +10,7 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
@@ -24,6 +25,7 @@
 
 #include "base/input_error.h"
 #include "base/length.h"
+#include "mesh/file_normals.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/polygon_words.h"
 
@@ -152,6 +154,22 @@ std::optional<FacetNames> values_of(vtkAbstractArray& array, const FacetMesh& me
   return words.of_facets(mesh);
 }
 
+// One a point; none: the file has none.
+FileNormals normals_of(vtkPolyData& surface) {
+  vtkPointData& points = *surface.GetPointData();
+  vtkDataArray* array = points.GetNormals() != nullptr ? points.GetNormals() : points.GetArray("Normals");
+  FileNormals normals;
+  if (array == nullptr || array->GetNumberOfComponents() != 3 ||
+      array->GetNumberOfTuples() != surface.GetNumberOfPoints())
+    return normals;
+  for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {
+    std::array<double, 3> n{};
+    array->GetTuple(k, n.data());
+    normals.add({n[0], n[1], n[2]});
+  }
+  return normals;
+}
+
 // Our own facet files: an index into words.
 void name_parts(vtkPolyData& surface, FacetMesh& mesh, const std::vector<vtkIdType>& cells) {
   auto* names = vtkStringArray::SafeDownCast(surface.GetFieldData()->GetAbstractArray("part_names"));
@@ -169,7 +187,7 @@ void name_parts(vtkPolyData& surface, FacetMesh& mesh, const std::vector<vtkIdTy
 
 }  // namespace
 
-ImportedMesh read_vtk(const std::filesystem::path& file, const std::string& unit) {
+ImportedMesh read_vtk(const std::filesystem::path& file, const std::string& unit, const Curving& curving) {
   const std::string name = file.string();
   const vtkSmartPointer<vtkPolyData> surface = surface_of(name);
   ImportedMesh imported;
@@ -184,6 +202,7 @@ ImportedMesh read_vtk(const std::filesystem::path& file, const std::string& unit
       imported.mesh.properties.push_back({array->GetName(), std::move(*values)});
   }
   name_parts(*surface, imported.mesh, polygons.cells());
+  if (curving.by == Curving::By::file_normals) normals_of(*surface).curve(imported.mesh, name, imported.warnings);
   imported.unit = unit;
   if (!unit.empty()) imported.mesh.metres_per_unit = metres_in(unit);
   return imported;

@@ -131,7 +131,8 @@ void SceneFlags::add_to(CLI::App& verb) {
   add("--repair", repair, "Repair the mesh (default auto)")->check(one_of({"auto", "none"}));
   add("--curved", curved,
       "Integrate over CAD surfaces themselves (auto, the default), over flat facets (none), or over smooth surfaces "
-      "through the facets' corners but where facets turn by more than an angle [deg] (crease:ANGLE)");
+      "through the facets' corners: but where facets turn by more than an angle [deg] (crease:ANGLE), or with the "
+      "normals that the file gives there (file_normals)");
   add("--facets", facets, "Facet files: none (default), all, or AZ,EL;AZ,EL... [deg]");
 }
 

@@ -162,15 +162,15 @@ FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
 namespace {
 
 void curve_by_creases(FacetMesh& mesh, double crease_deg, std::vector<std::string>& warnings) {
-  const std::size_t unknown = curve_by_normals(mesh, estimated_normals(mesh, crease_deg * std::numbers::pi / 180.0));
+  const auto unknown = curve_by_normals(mesh, estimated_normals(mesh, crease_deg * std::numbers::pi / 180.0));
   if (mesh.curved.patches.empty())
     warnings.push_back(
         fmt::format("crease:{} bends no facet: none shares an edge with another that turns by less, or "
                     "they are not welded (repair: none)",
                     crease_deg));
-  if (unknown > 0)
+  if (!unknown.empty())
     warnings.push_back(
-        fmt::format("{} facets stay flat: they turn by more than 60 deg within crease:{}", unknown, crease_deg));
+        fmt::format("{} facets stay flat: they turn by more than 60 deg within crease:{}", unknown.size(), crease_deg));
 }
 
 }  // namespace

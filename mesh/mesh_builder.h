@@ -33,6 +33,8 @@ class MeshBuilder {
   // Adds a polygon, cut into facets (mesh/polygon_cut.h).
   // domain: at least 3 corners, indices of vertices already added.
   void add_polygon(std::span<const std::uint32_t> corners);
+  // What the last one was cut into.
+  [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> last_polygon() const { return cut_; }
 
   // Adds facets of one polygon of the file, cut already. domain: indices of vertices already added.
   void add_facets(std::span<const std::array<std::uint32_t, 3>> facets);

@@ -68,12 +68,12 @@ Bend bend_of(const Corners& normals, const Vec3& flat) {
 
 }  // namespace
 
-std::size_t curve_by_normals(FacetMesh& mesh, const CornerNormals& normals) {
-  std::size_t unknown = 0;
+std::vector<std::uint32_t> curve_by_normals(FacetMesh& mesh, const CornerNormals& normals) {
+  std::vector<std::uint32_t> unknown;
   mesh.curved.of.assign(mesh.size(), CurvedFacets::flat);
-  for (std::size_t k = 0; k < mesh.size(); ++k) {
+  for (std::uint32_t k = 0; k < mesh.size(); ++k) {
     const Bend bend = mesh.areas[k] > 0.0 ? bend_of(normals[k], mesh.normals[k]) : Bend::none;
-    unknown += bend == Bend::unknown ? 1 : 0;
+    if (bend == Bend::unknown) unknown.push_back(k);
     if (bend != Bend::usable) continue;
     mesh.curved.of[k] = static_cast<std::uint32_t>(mesh.curved.patches.size());
     mesh.curved.patches.push_back(patch_of(bezier_triangle(mesh.corners(k), normals[k]), mesh.normals[k]));

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "mesh/facet_mesh.h"
+#include "mesh/file_normals.h"
 
 namespace lrcs {
 
 // One reader a format, behind read_mesh(). `content` is the whole file without a byte order mark, `file` its name in
 // messages.
+// normals: get those of the file, in numbers that its facets know; null: not wanted, and not looked at.
 // error: InputError at the place. A file without facets gives an empty mesh.
 // CGAL reads OFF and binary STL, after a check that names the place of what is wrong. The rest is read here: a library
 // would only be given what the check had already taken apart, for (measured on good files and on mutants of them)
@@ -28,16 +30,20 @@ namespace lrcs {
 [[nodiscard]] FacetMesh read_binary_stl(std::string_view content, const std::string& file);
 
 // Wavefront OBJ: v, f, o, g, usemtl, and mtllib for colours; all else is passed over. Negative indices count back from
-// the last vertex. Libraries are looked for beside the file. warnings: as of read_mesh().
-[[nodiscard]] FacetMesh read_obj(std::string_view content, const std::string& file, std::vector<std::string>* warnings);
+// the last vertex. Libraries are looked for beside the file. warnings: as of read_mesh(). With normals wanted, vn too,
+// and every corner must have one.
+[[nodiscard]] FacetMesh read_obj(std::string_view content, const std::string& file, std::vector<std::string>* warnings,
+                                 FileNormals* normals);
 
 // Polygon File Format 1.0: element vertex with x, y, z of any type, element face with a list vertex_indices (or
 // vertex_index) of any integer type, in this order. Bytes red, green and blue of a face are its colour; its other
-// integers are properties of facets. Floats, lists, other elements and what else vertices have are passed over.
-[[nodiscard]] FacetMesh read_ply(std::string_view content, const std::string& file);
+// integers are properties of facets. Floats, lists, other elements and what else vertices have are passed over. With
+// normals wanted, nx, ny, nz of vertices are read, and must be there.
+[[nodiscard]] FacetMesh read_ply(std::string_view content, const std::string& file, FileNormals* normals);
 
 // Object File Format as text: OFF with any of the prefixes ST, C, N, one vertex or face a line. What follows a vertex's
-// coordinates or a face's indices (normals, colours, textures) is passed over.
-[[nodiscard]] FacetMesh read_off(std::string_view content, const std::string& file);
+// coordinates or a face's indices (normals, colours, textures) is passed over. With normals wanted, those of vertices
+// are read where the prefix N says that they are there.
+[[nodiscard]] FacetMesh read_off(std::string_view content, const std::string& file, FileNormals* normals);
 
 }  // namespace lrcs

@@ -29,14 +29,15 @@ void next_row(TextScanner& scanner, std::string_view what, std::int64_t number, 
     scanner.fail(fmt::format("expected {} {} of {}, found the end of the file", what, number, count));
 }
 
-// Takes the keyword; lines before it were comments.
-void read_keyword(TextScanner& scanner) {
+// Takes the keyword; lines before it were comments. Does it say that vertices have normals?
+bool read_keyword(TextScanner& scanner) {
   const std::string_view keyword = scanner.next_word();
   if (!keyword.ends_with("OFF")) scanner.fail_expected("'OFF'", keyword);
   if (keyword.find_first_of("4n") != std::string_view::npos)
     scanner.fail(fmt::format("'{}' has more than 3 dimensions, expected OFF, COFF, NOFF or STOFF", shown(keyword)));
   TextScanner ahead = scanner;
   if (ahead.word() == "BINARY") scanner.fail("binary OFF is not read, expected OFF as text");
+  return keyword.find('N') != std::string_view::npos;
 }
 
 // A count that the rest of the file can hold: every vertex and every face takes a line of two bytes or more.
@@ -74,9 +75,9 @@ void copy_row(TextScanner& scanner, std::string_view content, std::string& text,
 
 // The file for CGAL, every row checked: CGAL knows neither CR as a line end nor where an error is, reads "3,5" as 3 and
 // vertex 1.7 as 1, makes room for whatever number of corners is named, and misses normals that prefixes announce.
-std::string checked_text(std::string_view content, const std::string& file) {
+std::string checked_text(std::string_view content, const std::string& file, FileNormals* normals) {
   TextScanner scanner(content, file);
-  read_keyword(scanner);
+  if (!read_keyword(scanner)) normals = nullptr;
   if (line_is_used_up(scanner) && !next_used_line(scanner))
     scanner.fail("expected the numbers of vertices and faces, found the end of the file");
   const std::int64_t vertices = read_count(scanner, "vertices");
@@ -85,6 +86,7 @@ std::string checked_text(std::string_view content, const std::string& file) {
   for (std::int64_t k = 1; k <= vertices; ++k) {
     next_row(scanner, "vertex", k, vertices);
     copy_row(scanner, content, text, check_vertex);
+    if (normals != nullptr) normals->add(scanner);
   }
   for (std::int64_t k = 1; k <= faces; ++k) {
     next_row(scanner, "face", k, faces);
@@ -95,8 +97,8 @@ std::string checked_text(std::string_view content, const std::string& file) {
 
 }  // namespace
 
-FacetMesh read_off(std::string_view content, const std::string& file) {
-  std::istringstream text(checked_text(content, file));
+FacetMesh read_off(std::string_view content, const std::string& file, FileNormals* normals) {
+  std::istringstream text(checked_text(content, file, normals));
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::uint32_t>> polygons;
   if (!CGAL::IO::read_OFF(text, points, polygons)) throw InputError(Place{file}, "cannot be read, expected OFF");

@@ -31,6 +31,7 @@ class TextRows {
     scanner_.fail(fmt::format("the file ends here, expected row {} of {} of element {}", row + 1, element.count,
                               shown(element.name)));
   }
+  [[nodiscard]] int line() const { return scanner_.line(); }
   double number(PlyType /*type*/) { return scanner_.number(); }
   std::int64_t integer(PlyType /*type*/) { return scanner_.integer(); }
   void skip(PlyType /*type*/) {
@@ -56,6 +57,7 @@ class BinaryRows {
     element_ = &element;
     row_ = row;
   }
+  [[nodiscard]] static int line() { return 0; }
   double number(PlyType type) {
     if (type == PlyType::float32) return std::bit_cast<float>(static_cast<std::uint32_t>(take(4)));
     if (type == PlyType::float64) return std::bit_cast<double>(take(8));
@@ -104,21 +106,56 @@ bool is_scalar(const PlyProperty& property) {
   return !property.count_type;
 }
 
-template <class Rows>
-void read_vertex(Rows& rows, const PlyElement& element, MeshBuilder& builder) {
-  Vec3 position = Vec3::Zero();
-  for (const PlyProperty& property : element.properties) {
-    const std::size_t axis = std::string_view("xyz").find(property.name);
-    if (property.name.size() != 1 || axis == std::string_view::npos || !is_scalar(property)) {
-      skip(rows, property);
-      continue;
-    }
-    const double value = rows.number(property.type);
-    if (!is_coordinate(value)) rows.fail(fmt::format("expected a coordinate of at most 1e100, found {}", value));
-    position[static_cast<Eigen::Index>(axis)] = value;
+constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, normal_names{"nx", "ny", "nz"};
+
+// The rows of element vertex: positions, and normals where they are wanted.
+class Vertices {
+ public:
+  Vertices(const PlyElement& element, MeshBuilder& builder, FileNormals* normals)
+      : element_(element), builder_(builder), normals_(normals) {
+    for (const PlyProperty& property : element.properties)
+      meanings_.push_back(is_scalar(property) ? meaning_of(property.name) : Meaning{});
   }
-  builder.add_position(position);
-}
+
+  template <class Rows>
+  void read_row(Rows& rows) {
+    Vec3 position = Vec3::Zero(), normal = Vec3::Zero();
+    for (std::size_t k = 0; k < meanings_.size(); ++k) {
+      const PlyProperty& property = element_.properties[k];
+      const auto [of, axis] = meanings_[k];
+      if (of == Of::nothing) {
+        skip(rows, property);
+        continue;
+      }
+      const double value = rows.number(property.type);
+      if (of == Of::position && !is_coordinate(value))
+        rows.fail(fmt::format("expected a coordinate of at most 1e100, found {}", value));
+      (of == Of::position ? position : normal)[axis] = value;
+    }
+    builder_.add_position(position);
+    if (normals_ != nullptr) normals_->add(normal, rows.line());
+  }
+
+ private:
+  enum class Of { nothing, position, normal };
+  struct Meaning {
+    Of of = Of::nothing;
+    Eigen::Index axis = 0;
+  };
+
+  [[nodiscard]] Meaning meaning_of(std::string_view name) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (name == position_names[axis]) return {Of::position, static_cast<Eigen::Index>(axis)};
+      if (name == normal_names[axis] && normals_ != nullptr) return {Of::normal, static_cast<Eigen::Index>(axis)};
+    }
+    return {};
+  }
+
+  const PlyElement& element_;
+  MeshBuilder& builder_;
+  FileNormals* normals_;
+  std::vector<Meaning> meanings_;  // one a property
+};
 
 bool is_index_list(const PlyProperty& property) {
   return property.count_type && is_integer(property.type) &&
@@ -217,7 +254,7 @@ class Faces {
 };
 
 template <class Rows>
-FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes) {
+FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes, FileNormals* normals) {
   MeshBuilder builder;
   // Coordinates and corners take two bytes each and more: what the header claims beyond that cannot follow.
   for (const PlyElement& element : header.elements) {
@@ -225,15 +262,17 @@ FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes) {
     if (element.name == "vertex") builder.reserve(most, 0);
     if (element.name == "face") builder.reserve(0, most);
   }
+  std::optional<Vertices> vertices;
   std::optional<Faces> faces;
   for (const PlyElement& element : header.elements) {
     // Rows of no properties take no bytes: there may be any number of them.
     if (element.properties.empty()) continue;
+    if (element.name == "vertex") vertices.emplace(element, builder, normals);
     if (element.name == "face") faces.emplace(element, builder);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
       if (element.name == "vertex") {
-        read_vertex(rows, element, builder);
+        vertices->read_row(rows);
       } else if (element.name == "face") {
         faces->read_row(rows);
       } else {
@@ -250,9 +289,9 @@ FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes) {
 // The header must describe a surface before any row is read.
 class SurfaceCheck {
  public:
-  SurfaceCheck(const PlyHeader& header, const std::string& file) : file_(file) {
+  SurfaceCheck(const PlyHeader& header, const std::string& file, bool normals_wanted) : file_(file) {
     for (const PlyElement& element : header.elements) {
-      if (element.name == "vertex") check_vertex(element);
+      if (element.name == "vertex") check_vertex(element, normals_wanted);
       if (element.name == "face") check_face(element);
     }
     if (faces_ == 0) fail(header.data_line - 1, "the header has no element face, expected one");
@@ -261,14 +300,18 @@ class SurfaceCheck {
  private:
   [[noreturn]] void fail(int line, const std::string& message) const { throw InputError(Place{file_, line}, message); }
 
-  void check_vertex(const PlyElement& element) {
+  void check_vertex(const PlyElement& element, bool normals_wanted) {
     if (++vertices_ > 1) fail(element.line, "a second element vertex, expected one");
-    for (const std::string_view axis : {"x", "y", "z"}) {
-      int found = 0;
-      for (const PlyProperty& property : element.properties)
-        found += property.name == axis && is_scalar(property) ? 1 : 0;
-      if (found != 1) fail(element.line, fmt::format("element vertex has {} properties {}, expected one", found, axis));
-    }
+    for (const std::string_view name : position_names) require_one(element, name, "");
+    if (!normals_wanted) return;
+    for (const std::string_view name : normal_names) require_one(element, name, " for curved: file_normals");
+  }
+
+  void require_one(const PlyElement& element, std::string_view name, std::string_view why) const {
+    const auto found = std::count_if(element.properties.begin(), element.properties.end(),
+                                     [&](const PlyProperty& p) { return p.name == name && is_scalar(p); });
+    if (found != 1)
+      fail(element.line, fmt::format("element vertex has {} properties {}, expected one{}", found, name, why));
   }
 
   void check_face(const PlyElement& element) {
@@ -291,13 +334,13 @@ class SurfaceCheck {
 
 }  // namespace
 
-FacetMesh read_ply(std::string_view content, const std::string& file) {
+FacetMesh read_ply(std::string_view content, const std::string& file, FileNormals* normals) {
   const PlyHeader header = read_ply_header(content, file);
-  SurfaceCheck(header, file);
+  SurfaceCheck(header, file, normals != nullptr);
   const std::string_view data = content.substr(header.data_begin);
   if (header.encoding == PlyEncoding::text)
-    return read_rows(TextRows(TextScanner(data, file, header.data_line)), header, data.size());
-  return read_rows(BinaryRows(data, header.encoding == PlyEncoding::big_endian, file), header, data.size());
+    return read_rows(TextRows(TextScanner(data, file, header.data_line)), header, data.size(), normals);
+  return read_rows(BinaryRows(data, header.encoding == PlyEncoding::big_endian, file), header, data.size(), normals);
 }
 
 }  // namespace lrcs

@@ -99,6 +99,19 @@ TEST_F(ReadNodes, ReadsTheUnitOf3mf) {
   }
 }
 
+TEST_F(ReadNodes, FindsNoNormalsIn3mf) {
+  write_3mf(folder_.path() / "made.3mf", "");
+  Tessellation by_normals;
+  by_normals.curving.by = Curving::By::file_normals;
+  try {
+    (void)read_target(folder_.path() / "made.3mf", "", by_normals);
+    ADD_FAILURE();
+  } catch (const InputError& wrong) {
+    EXPECT_NE(std::string(wrong.what()).find("made.3mf: mesh '1' has no normals at its vertices"), std::string::npos)
+        << wrong.what();
+  }
+}
+
 // assimp leaves the facet out.
 TEST_F(ReadNodes, WarnsOfAnIndexOfAVertexThatIsNotThere) {
   const TargetRead target = read(gltf_of(R"({"mesh": 0})", {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 9}));

@@ -42,6 +42,8 @@ std::vector<BadScene> bad_scenes() {
        "6:20: expected a positive length with its unit, such as '1.06 um', found 'fine'"},
       {"ChordAngleTooLarge", "unit: m\n", "unit: m\n  chord_angle: 100\n",
        "6:16: expected 0.1..90 deg from edge to edge, found 100"},
+      {"UnknownCurving", "unit: m\n", "unit: m\n  curved: normals\n",
+       "6:11: expected auto, none, file_normals or crease:ANGLE with 1..89 deg, found 'normals'"},
       {"MissingFacetProperties", "unit: m\n", "unit: m\n  facet_properties: none.csv\n",
        "6:21: no such file: 'none.csv'"},
       {"UnmatchedColour", "part: \"panel*\"", "colour: \"#ff0000\"",
