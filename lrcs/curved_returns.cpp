@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
+#include "brdf/retro_form.h"
 #include "lrcs/return_error.h"
 
 namespace lrcs {
@@ -37,11 +39,11 @@ Corner between(const Corner& a, const Corner& b, double share) {
 
 // The surface of one facet, and how it faces the directions at any place.
 struct Sight {
-  const CurvedPatch& patch;
+  const PatchPolynomial& surface;
   Vec3 wi, wr;  // of the side looked at
 
   [[nodiscard]] Corner at(const std::array<double, 3>& place) const {
-    const Vec3 vector = area_vector_at(patch, place);
+    const Vec3 vector = surface.at(place);
     return {place, vector.dot(wi), vector.dot(wr)};
   }
 
@@ -109,6 +111,36 @@ constexpr std::array<std::array<double, 3>, 6> halfway{
     {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
 constexpr std::array<std::array<std::size_t, 3>, 4> quarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
 
+// A number for each place of the rule, and one more, not used: vectors hold powers of two.
+constexpr std::size_t lanes = PatchRule::size + 1;
+using Lanes = std::array<double, lanes>;
+
+// How a material returns to the pair of directions.
+template <class Model>
+struct Reflection {
+  Reflection(const Model& of, const Vec3& wi, const Vec3& wr) : model(of), pair(of.for_pair(wi, wr)) {
+    if (wi == wr) retro = retro_form(of);
+  }
+
+  // f_r cos_i cos_r [1/sr] at the places of a patch where the lesser of their cosines is above zero.
+  void at(const CurvedPatch& patch, double side, bool is_retro, const Lanes& cosines, Lanes& values) const {
+    if (retro) {
+      for (std::size_t k = 0; k < lanes; ++k) {
+        const double cosine = std::min(cosines[k], 1.0);
+        values[k] = (*retro)(std::max(cosine, smallest_retro_cosine)) * cosine;
+      }
+      return;
+    }
+    for (std::size_t k = 0; k < PatchRule::size; ++k)
+      if (cosines[k] > 0.0)
+        values[k] = is_retro ? model.f_cos_cos_retro(std::min(cosines[k], 1.0)) : pair(Vec3(side * patch.normal[k]));
+  }
+
+  const Model& model;
+  decltype(std::declval<const Model&>().for_pair(Vec3(), Vec3())) pair;
+  decltype(retro_form(std::declval<const Model&>())) retro{};
+};
+
 class Looking {
  public:
   Looking(const Target& target, std::span<const Estimate> seen, std::span<const SeenMiddle> middles, const Vec3& wi,
@@ -122,34 +154,31 @@ class Looking {
       for (std::size_t c = 0; c < 3; ++c) tilt[c] = (middle.at[c] - 1.0 / 3.0) / variance;
       // No place counts less than nothing.
       double least = 0.0;
-      for (const auto& at : patch_rule().at)
-        least = std::min(least, tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2]);
+      for (const auto& at : rule_.at) least = std::min(least, tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2]);
       if (least < -1.0)
         for (double& t : tilt) t /= -least;
     }
   }
 
   // Of its sides of one material.
-  template <class Model, class Pair>
-  CurvedReturn at(const Facet& facet, std::uint32_t material, const Model& model_seen, const Pair& pair_seen,
-                  const Model& unseen, const Pair& pair_unseen) const {
+  template <class Model>
+  CurvedReturn at(const Facet& facet, std::uint32_t material, const Reflection<Model>& seen,
+                  const Reflection<Model>& unseen) const {
     CurvedReturn sum;
-    // Rounding does not matter: what is cut where it need not be is cut at its rim.
-    const Range of_i = facing(facet, wi_), of_r = facing(facet, wr_);
-    const bool whole = of_i.least * of_i.most > 0.0 && of_r.least * of_r.most > 0.0;
+    const Facing facing = facing_of(facet);
     for (const double side : {1.0, -1.0}) {
       if (side < 0.0 && target_.sides == Sides::front) continue;
+      if (!facing.may_be_lit_and_seen(side)) continue;
       if ((side > 0.0 ? target_.material : target_.back_material())[facet.facet] != material) continue;
-      if (!may_face(facet, side)) continue;
-      const Estimate fraction = fraction_of(facet, side);
+      const Estimate fraction = fraction_of(facet, facing, side);
       if (fraction.value == 0.0 && fraction.bound == 0.0) continue;
-      const Model& model = fraction.value > 0.0 ? model_seen : unseen;
-      const Pair& pair = fraction.value > 0.0 ? pair_seen : pair_unseen;
+      const Reflection<Model>& reflection = fraction.value > 0.0 ? seen : unseen;
       CurvedReturn here;
-      if (whole || facet.folded || facet.planar)
-        add_whole(facet, side, model, pair, here);
+      // Rounding does not matter: what is cut where it need not be is cut at its rim.
+      if (facing.is_whole() || facet.folded || facet.planar)
+        add_whole(facet, side, reflection, here);
       else
-        add_cut(facet, side, model, pair, here);
+        add_cut(facet, side, reflection, here);
       sum.returned += fraction.value * here.returned;
       sum.lower += fraction.value * here.lower;
       sum.bound += fraction.bound * std::abs(here.returned) + fraction.value * here.bound;
@@ -168,12 +197,24 @@ class Looking {
     return faces(facet.facet, side) ? tilts_[target_.curved.place_of(facet.facet)] : Tilt{};
   }
 
+  // The cosines that a direction has on a facet, as far as their signs go.
   struct Range {
     double least, most;
+
+    [[nodiscard]] double least_of(double side) const { return side > 0.0 ? least : -most; }
+  };
+  struct Facing {
+    Range i, r;
+
+    // Do all of a facet's normals lie on one side, for either direction?
+    [[nodiscard]] bool is_whole() const { return i.least * i.most > 0.0 && r.least * r.most > 0.0; }
+    [[nodiscard]] bool is_clear(double side) const { return i.least_of(side) > 0.0 && r.least_of(side) > 0.0; }
+    [[nodiscard]] bool may_be_lit_and_seen(double side) const {
+      return i.least_of(-side) < 0.0 && r.least_of(-side) < 0.0;
+    }
   };
 
-  // The cosines that a direction has on a facet, as far as their signs go.
-  static Range facing(const Facet& facet, const Vec3& w) {
+  static Range range_of(const Facet& facet, const Vec3& w) {
     const double middle = facet.axis.dot(w);
     if (std::abs(middle) > facet.spread || facet.planar) return {middle, middle};
     Range range{middle, middle};
@@ -184,7 +225,10 @@ class Looking {
     }
     return range;
   }
-  static double least(const Range& range, double side) { return side > 0.0 ? range.least : -range.most; }
+  [[nodiscard]] Facing facing_of(const Facet& facet) const {
+    const Range of_i = range_of(facet, wi_);
+    return {of_i, retro_ ? of_i : range_of(facet, wr_)};
+  }
 
   [[nodiscard]] bool faces(std::size_t facet, double side) const {
     const Vec3& n = target_.mesh.normals[facet];
@@ -194,12 +238,13 @@ class Looking {
   // Of a side of a facet. Near to where the surface turns away, flat facets stand in each other's light as the surface
   // does not: there, that of the nearest facets clear of it, if they are seen whole and the flat facet mostly is, or is
   // turned away itself. What the two differ by is not known better.
-  [[nodiscard]] Estimate fraction_of(const Facet& facet, double side) const {
-    const Estimate own = faces(facet.facet, side) ? seen_[facet.facet] : Estimate{};
-    if (is_clear(facet, side)) return own;
+  [[nodiscard]] Estimate fraction_of(const Facet& facet, const Facing& facing, double side) const {
+    const bool is_faced = faces(facet.facet, side);
+    const Estimate own = is_faced ? seen_[facet.facet] : Estimate{};
+    if (is_faced && facing.is_clear(side)) return own;
     const auto beside = fraction_beside(facet, side);
     if (!beside) return own;
-    if (!faces(facet.facet, side)) return *beside;
+    if (!is_faced) return *beside;
     const double apart = std::abs(beside->value - own.value);
     const double value = beside->value == 1.0 && own.value > 0.5 ? 1.0 : own.value;
     return {value, std::max(own.bound, apart)};
@@ -216,8 +261,9 @@ class Looking {
       for (const std::size_t last = met.size(); first < last; ++first)
         for (const std::uint32_t k : curved(met[first]).adjacent) {
           if (k == CurvedSurface::none || std::find(met.begin(), met.end(), k) != met.end()) continue;
-          if (!is_clear(curved(k), side)) {
-            if (may_face(curved(k), side)) met.push_back(k);
+          const Facing facing = facing_of(curved(k));
+          if (!facing.is_clear(side) || !faces(k, side)) {
+            if (facing.may_be_lit_and_seen(side)) met.push_back(k);
             continue;
           }
           sum.value += seen_[k].value;
@@ -233,78 +279,113 @@ class Looking {
     return target_.curved.facets()[target_.curved.place_of(facet)];
   }
 
-  [[nodiscard]] bool is_clear(const Facet& facet, double side) const {
-    return faces(facet.facet, side) && least(facing(facet, wi_), side) > 0.0 && least(facing(facet, wr_), side) > 0.0;
-  }
+  // Where the rules of two degrees differ by more than `rough` of the most that the facet could return, there is a lobe
+  // or a crease of the model within it: it is looked at in quarters; and they again, unless together they return what
+  // the whole does, within `alike` of that most.
+  static constexpr double rough = 1e-5, alike = 1e-6;
 
-  // Whether some of a facet's surface may face both directions.
-  [[nodiscard]] bool may_face(const Facet& facet, double side) const {
-    return least(facing(facet, wi_), -side) < 0.0 && least(facing(facet, wr_), -side) < 0.0;
-  }
-
-  // Where the rules of two degrees differ by more than this of the most that the facet could return, there is a lobe or
-  // a crease of the model within it: it is looked at in quarters.
-  template <class Model, class Pair>
-  void add_whole(const Facet& facet, double side, const Model& model, const Pair& pair, CurvedReturn& sum) const {
-    constexpr double rough = 1e-5;
+  template <class Model>
+  void add_whole(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     constexpr int most_depth = 3;
+    if (facet.planar) {
+      add_planar(facet, side, reflection, sum);
+      return;
+    }
     CurvedReturn whole;
     const Tilt tilt = tilt_of(facet, side);
-    add(facet.patch, facet.planar, side, model, pair, whole, tilt);
-    const double most = rough * model.largest();
-    if (facet.folded || tilt != Tilt{} || std::abs(whole.returned - whole.lower) <= most * facet.area) {
+    add(facet.patch, side, reflection, whole, tilt);
+    const double most = reflection.model.largest();
+    if (facet.folded || tilt != Tilt{} || std::abs(whole.returned - whole.lower) <= rough * most * facet.area) {
       sum += whole;
       return;
     }
-    add_quarters(facet, {halfway[0], halfway[1], halfway[2]}, most, most_depth, side, model, pair, sum);
+    add_quarters(PatchPolynomial(facet.patch), {halfway[0], halfway[1], halfway[2]}, whole.returned, facet.area,
+                 most_depth, side, reflection, sum);
   }
 
-  template <class Model, class Pair>
-  void add_quarters(const Facet& facet, const std::array<std::array<double, 3>, 3>& corners, double most, int depth,
-                    double side, const Model& model, const Pair& pair, CurvedReturn& sum) const {
-    for (const auto& quarter : quarters) {
-      std::array<std::array<double, 3>, 3> part{};
+  // returned: of the whole, by its rule.
+  template <class Model>
+  void add_quarters(const PatchPolynomial& surface, const std::array<std::array<double, 3>, 3>& corners,
+                    double returned, double area, int depth, double side, const Reflection<Model>& reflection,
+                    CurvedReturn& sum) const {
+    std::array<std::array<std::array<double, 3>, 3>, quarters.size()> parts{};
+    std::array<CurvedReturn, quarters.size()> of_part;
+    std::array<double, quarters.size()> areas{};
+    CurvedReturn together;
+    for (std::size_t q = 0; q < quarters.size(); ++q) {
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t c = 0; c < 3; ++c)
-          for (std::size_t j = 0; j < 3; ++j) part[k][c] += halfway[quarter[k]][j] * corners[j][c];
-      CurvedReturn here;
-      const CurvedPatch patch = part_of(facet.patch, part);
-      add(patch, false, side, model, pair, here, {});
-      if (depth > 1 && std::abs(here.returned - here.lower) > most * patch.area[0])
-        add_quarters(facet, part, most, depth - 1, side, model, pair, sum);
-      else
-        sum += here;
-      // Beside a crease rules of both degrees may err alike, facet after facet.
-      sum.bound += depth > 1 ? 0.0 : std::abs(here.returned - here.lower);
+          for (std::size_t j = 0; j < 3; ++j) parts[q][k][c] += halfway[quarters[q][k]][j] * corners[j][c];
+      const CurvedPatch patch = surface.part(parts[q]);
+      areas[q] = patch.area[0];
+      add(patch, side, reflection, of_part[q], {});
+      together += of_part[q];
     }
+    const double most = reflection.model.largest();
+    const bool is_enough = depth == 1 || std::abs(together.returned - returned) <= alike * most * area;
+    if (is_enough) {
+      sum += together;
+      // Beside a crease rules of both degrees may err alike, facet after facet.
+      if (depth == 1)
+        for (const CurvedReturn& part : of_part) sum.bound += std::abs(part.returned - part.lower);
+      return;
+    }
+    for (std::size_t q = 0; q < quarters.size(); ++q)
+      if (std::abs(of_part[q].returned - of_part[q].lower) > rough * most * areas[q])
+        add_quarters(surface, parts[q], of_part[q].returned, areas[q], depth - 1, side, reflection, sum);
+      else
+        sum += of_part[q];
   }
 
-  template <class Model, class Pair>
-  void add(const CurvedPatch& patch, bool planar, double side, const Model& model, const Pair& pair, CurvedReturn& sum,
+  template <class Model>
+  void add_planar(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
+    const Vec3 n = side * facet.patch.normal[0];
+    const double cos_i = n.dot(wi_), cos_r = n.dot(wr_), least = std::min(cos_i, cos_r), area = facet.patch.area[0];
+    if (!(least > 0.0)) return;
+    const double value = area * (retro_ ? reflection.model.f_cos_cos_retro(std::min(cos_i, 1.0)) : reflection.pair(n));
+    sum.returned += value;
+    sum.lower += value;
+    sum.lit_seen += area;
+    sum.seen_area += area * cos_r;
+    sum.bound += std::abs(value) * (least > model_error ? model_error / least : 1.0) +
+                 (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
+  }
+
+  template <class Model>
+  void add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum,
            const Tilt& tilt) const {
-    const std::size_t places = planar ? 1 : PatchRule::size;
-    for (std::size_t k = 0; k < places; ++k) {
-      const Vec3 n = side * patch.normal[k];
-      const double cos_i = n.dot(wi_), cos_r = n.dot(wr_), least = std::min(cos_i, cos_r);
-      if (!(least > 0.0)) continue;
-      const auto& at = patch_rule().at[k];
-      const double share = 1.0 + tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2];
-      const double weight = planar ? 1.0 : share * patch_rule().weight[k];
-      const double lower = planar ? 1.0 : share * patch_rule().lower[k];
-      const double value = patch.area[k] * (retro_ ? model.f_cos_cos_retro(std::min(cos_i, 1.0)) : pair(n));
-      sum.returned += weight * value;
-      sum.lower += lower * value;
-      sum.lit_seen += weight * patch.area[k];
-      sum.seen_area += weight * patch.area[k] * cos_r;
-      sum.bound += std::abs(weight * value) * (least > model_error ? model_error / least : 1.0) +
-                   (value != 0.0 ? std::abs(weight * patch.area[k]) * lobe_error(pair, n) : 0.0);
+    const Vec3 wi = side * wi_, wr = side * wr_;
+    Lanes area{}, cos_r{}, least{}, values{}, weight{};
+    for (std::size_t k = 0; k < PatchRule::size; ++k) {
+      area[k] = patch.area[k];
+      cos_r[k] = patch.normal[k].dot(wr);
+      least[k] = retro_ ? cos_r[k] : std::min(patch.normal[k].dot(wi), cos_r[k]);
     }
+    least.back() = 1.0;
+    reflection.at(patch, side, retro_, least, values);
+    for (std::size_t k = 0; k < PatchRule::size; ++k) {
+      const bool is_faced = least[k] > 0.0;
+      const auto& at = rule_.at[k];
+      const double share = is_faced ? 1.0 + tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2] : 0.0;
+      weight[k] = share * rule_.weight[k] * area[k];
+      const double value = is_faced ? values[k] : 0.0;
+      sum.returned += weight[k] * value;
+      sum.lower += share * rule_.lower[k] * area[k] * value;
+      sum.lit_seen += weight[k];
+      sum.seen_area += weight[k] * cos_r[k];
+      sum.bound += std::abs(weight[k] * value) * (model_error / std::max(least[k], model_error));
+    }
+    if constexpr (requires { reflection.pair.lobe_error(wi); })
+      for (std::size_t k = 0; k < PatchRule::size; ++k)
+        if (least[k] > 0.0 && values[k] != 0.0)
+          sum.bound += std::abs(weight[k]) * lobe_error(reflection.pair, Vec3(side * patch.normal[k]));
   }
 
   // Of a facet that is turned away in part. Quarters: where it turns lies on a parabola, nearly.
-  template <class Model, class Pair>
-  void add_cut(const Facet& facet, double side, const Model& model, const Pair& pair, CurvedReturn& sum) const {
-    const Sight sight{facet.patch, side * wi_, side * wr_};
+  template <class Model>
+  void add_cut(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
+    const PatchPolynomial surface(facet.patch);
+    const Sight sight{surface, side * wi_, side * wr_};
     std::array<Corner, 6> corners{};
     for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = sight.at(halfway[k]);
     for (const auto& quarter : quarters) {
@@ -313,13 +394,14 @@ class Looking {
       polygon = sight.cut(polygon, &Corner::facing_i);
       if (!retro_) polygon = sight.cut(polygon, &Corner::facing_r);
       for (std::size_t k = 2; k < polygon.size; ++k)
-        add(part_of(facet.patch, {polygon.corners[0].at, polygon.corners[k - 1].at, polygon.corners[k].at}), false,
-            side, model, pair, sum, {});
+        add(surface.part({polygon.corners[0].at, polygon.corners[k - 1].at, polygon.corners[k].at}), side, reflection,
+            sum, {});
     }
     // The line is interpolated: off by a part of the facet of second order in how far the facet turns.
     sum.bound += facet.spread * facet.spread * std::abs(sum.returned);
   }
 
+  const PatchRule& rule_ = patch_rule();
   const Target& target_;
   std::span<const Estimate> seen_;
   const Vec3 &wi_, &wr_;
@@ -340,15 +422,14 @@ std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const E
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     std::visit(
         [&](const auto& model) {
-          const auto pair = model.for_pair(to_transmitter, to_receiver);
           // Never asks for what was not measured: of facets that only rounding may make visible, and of what is black.
-          const auto& unseen = supposed(model);
-          const auto pair_unseen = unseen.for_pair(to_transmitter, to_receiver);
-          const bool black = returns_nothing(target.materials[m]);
+          const auto& always = supposed(model);
+          const Reflection seen_as(model, to_transmitter, to_receiver);
+          const Reflection unseen_as(always, to_transmitter, to_receiver);
+          const auto& reflection = returns_nothing(target.materials[m]) ? unseen_as : seen_as;
           for (std::size_t k = 0; k < facets.size(); ++k)
             if (const std::uint32_t f = facets[k].facet; target.material[f] == m || behind[f] == m)
-              returns[k] += black ? looking.at(facets[k], m, unseen, pair_unseen, unseen, pair_unseen)
-                                  : looking.at(facets[k], m, model, pair, unseen, pair_unseen);
+              returns[k] += looking.at(facets[k], m, reflection, unseen_as);
         },
         target.materials[m].brdf);
   return returns;

@@ -24,12 +24,12 @@ void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
 std::array<Vec3, 3> normals_at_corners(const FacetMesh& mesh, std::uint32_t facet, const Vec3& cross) {
   const std::uint32_t patch = mesh.curved.of[facet];
   std::array<Vec3, 3> normals;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 3> corner{};
-    corner[k] = 1.0;
-    const Vec3 vector = patch == CurvedFacets::flat ? cross : area_vector_at(mesh.curved.patches[patch], corner);
-    normals[k] = vector.stableNormalized();
+  normals.fill(cross);
+  if (patch != CurvedFacets::flat) {
+    const PatchPolynomial surface(mesh.curved.patches[patch]);
+    normals = {surface.at({1.0, 0.0, 0.0}), surface.at({0.0, 1.0, 0.0}), surface.at({0.0, 0.0, 1.0})};
   }
+  for (Vec3& normal : normals) normal.stableNormalize();
   return normals;
 }
 

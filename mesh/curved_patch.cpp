@@ -8,7 +8,6 @@ namespace lrcs {
 namespace {
 
 using Place = std::array<double, 3>;
-using Basis = Eigen::Matrix<double, PatchRule::size, 1>;
 
 PatchRule radon() {
   const double root = std::sqrt(15.0);
@@ -34,22 +33,23 @@ PatchRule radon() {
   return rule;
 }
 
-Basis basis_at(const Place& at) {
+using Matrix = Eigen::Matrix<double, PatchRule::size, PatchRule::size>;
+
+std::array<double, PatchRule::size> basis_at(const Place& at) {
   const auto [a, b, c] = at;
-  Basis basis;
-  basis << a * a, b * b, c * c, a * b, b * c, c * a, a * b * c;
-  return basis;
+  return {a * a, b * b, c * c, a * b, b * c, c * a, a * b * c};
 }
 
-// The weight of each place of the rule in the value at another.
-Basis weights_at(const Place& at) {
-  static const Eigen::Matrix<double, PatchRule::size, PatchRule::size> inverse = [] {
-    Eigen::Matrix<double, PatchRule::size, PatchRule::size> values;
+// Of the basis in the polynomial that is 1 at a place of the rule and 0 at the others: a column each.
+const Matrix& coefficients() {
+  static const Matrix inverse = [] {
+    Matrix values;
     for (std::size_t k = 0; k < PatchRule::size; ++k)
-      values.col(static_cast<Eigen::Index>(k)) = basis_at(patch_rule().at[k]);
-    return values.inverse().eval();
+      values.row(static_cast<Eigen::Index>(k)) =
+          Eigen::Map<const Eigen::RowVectorXd>(basis_at(patch_rule().at[k]).data(), PatchRule::size);
+    return Matrix(values.inverse());
   }();
-  return inverse * basis_at(at);
+  return inverse;
 }
 
 }  // namespace
@@ -67,27 +67,36 @@ void turn_over(CurvedPatch& patch) {
   }
 }
 
-Vec3 area_vector_at(const CurvedPatch& patch, const Place& place) {
-  const Basis weights = weights_at(place);
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < PatchRule::size; ++k)
-    sum += weights[static_cast<Eigen::Index>(k)] * patch.area[k] * patch.normal[k];
+PatchPolynomial::PatchPolynomial(const CurvedPatch& patch) {
+  const Matrix& of_place = coefficients();
+  coefficients_.fill(Vec3::Zero());
+  for (std::size_t place = 0; place < PatchRule::size; ++place) {
+    const Vec3 vector = patch.area[place] * patch.normal[place];
+    for (std::size_t k = 0; k < PatchRule::size; ++k)
+      coefficients_[k] += of_place(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(place)) * vector;
+  }
+}
+
+Vec3 PatchPolynomial::at(const Place& place) const {
+  const auto basis = basis_at(place);
+  Vec3 sum = basis[0] * coefficients_[0];
+  for (std::size_t k = 1; k < PatchRule::size; ++k) sum += basis[k] * coefficients_[k];
   return sum;
 }
 
-CurvedPatch part_of(const CurvedPatch& patch, const std::array<Place, 3>& corners) {
+CurvedPatch PatchPolynomial::part(const std::array<Place, 3>& corners) const {
   CurvedPatch part;
   const auto& [p, q, r] = corners;
   // Of the facet's area: twice the area between the places in two of their coordinates.
   const double share = (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
+  const PatchRule& rule = patch_rule();
   for (std::size_t k = 0; k < PatchRule::size; ++k) {
-    Place at{};
-    for (std::size_t c = 0; c < 3; ++c)
-      at[c] = patch_rule().at[k][0] * p[c] + patch_rule().at[k][1] * q[c] + patch_rule().at[k][2] * r[c];
-    const Vec3 vector = area_vector_at(patch, at);
+    Place place{};
+    for (std::size_t c = 0; c < 3; ++c) place[c] = rule.at[k][0] * p[c] + rule.at[k][1] * q[c] + rule.at[k][2] * r[c];
+    const Vec3 vector = at(place);
     const double length = vector.norm();
     part.area[k] = share * length;
-    part.normal[k] = length > 0.0 ? Vec3(vector / length) : patch.normal[0];
+    part.normal[k] = length > 0.0 ? Vec3(vector / length) : vector;
   }
   return part;
 }

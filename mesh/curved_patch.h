@@ -39,11 +39,20 @@ struct CurvedFacets {
 // The patch of the facet wound the other way, which exchanges its second and third corner.
 void turn_over(CurvedPatch& patch);
 
-// The patch over a part of a patch's facet, with corners at three places on it; what is between the places of the rule
-// is interpolated by a polynomial of degree 2 and a bubble.
-[[nodiscard]] CurvedPatch part_of(const CurvedPatch& patch, const std::array<std::array<double, 3>, 3>& corners);
+// Normal times area of a patch, at any place on its facet: a polynomial of degree 2 and a bubble through the places of
+// patch_rule().
+class PatchPolynomial {
+ public:
+  explicit PatchPolynomial(const CurvedPatch& patch);
 
-// normal times area at a place on the facet, interpolated the same way.
-[[nodiscard]] Vec3 area_vector_at(const CurvedPatch& patch, const std::array<double, 3>& place);
+  // at: weights of the corners. value: [the mesh's unit, squared].
+  [[nodiscard]] Vec3 at(const std::array<double, 3>& place) const;
+
+  // The patch over a part of the facet, with corners at three places on it. A normal is zero where the area is.
+  [[nodiscard]] CurvedPatch part(const std::array<std::array<double, 3>, 3>& corners) const;
+
+ private:
+  std::array<Vec3, PatchRule::size> coefficients_;
+};
 
 }  // namespace lrcs

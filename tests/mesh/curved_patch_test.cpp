@@ -55,22 +55,25 @@ Vec3 total(const CurvedPatch& patch) {
 TEST(CurvedPatch, AreaVectorsOfSecondDegreeAreKnownEverywhere) {
   const Place at{0.7, 0.25, 0.05};
   const Vec3 exact(0.2 * at[0] * at[1], 0.3 * at[2] - 0.1 * at[0] * at[0], 1.0 + 0.2 * at[1]);
-  EXPECT_LT((area_vector_at(bowl(), at) - exact).norm(), 1e-14);
-  EXPECT_LT((area_vector_at(bowl(), {1.0, 0.0, 0.0}) - Vec3(0.0, -0.1, 1.0)).norm(), 1e-14);
+  EXPECT_LT((PatchPolynomial(bowl()).at(at) - exact).norm(), 1e-14);
+  EXPECT_LT((PatchPolynomial(bowl()).at({1.0, 0.0, 0.0}) - Vec3(0.0, -0.1, 1.0)).norm(), 1e-14);
 }
 
 TEST(CurvedPatch, PartsAddUpToTheWhole) {
   const Place a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1}, middle{0.5, 0.2, 0.3};
-  const Vec3 sum = total(part_of(bowl(), {a, b, middle})) + total(part_of(bowl(), {b, c, middle})) +
-                   total(part_of(bowl(), {c, a, middle}));
+  const Vec3 sum = total(PatchPolynomial(bowl()).part({a, b, middle})) +
+                   total(PatchPolynomial(bowl()).part({b, c, middle})) +
+                   total(PatchPolynomial(bowl()).part({c, a, middle}));
   EXPECT_LT((sum - total(bowl())).norm(), 1e-14);
-  EXPECT_LT((total(part_of(bowl(), {a, middle, b})) + total(part_of(bowl(), {a, b, middle}))).norm(), 1e-14);
+  EXPECT_LT((total(PatchPolynomial(bowl()).part({a, middle, b})) + total(PatchPolynomial(bowl()).part({a, b, middle})))
+                .norm(),
+            1e-14);
 }
 
 TEST(CurvedPatch, TurnedOverItLooksTheOtherWayAndCornersChangePlaces) {
   CurvedPatch patch = bowl();
   turn_over(patch);
-  EXPECT_LT((area_vector_at(patch, {0.2, 0.3, 0.5}) + area_vector_at(bowl(), {0.2, 0.5, 0.3})).norm(), 1e-14);
+  EXPECT_LT((PatchPolynomial(patch).at({0.2, 0.3, 0.5}) + PatchPolynomial(bowl()).at({0.2, 0.5, 0.3})).norm(), 1e-14);
   turn_over(patch);
   EXPECT_EQ(patch.area, bowl().area);
 }
