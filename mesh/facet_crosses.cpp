@@ -38,16 +38,18 @@ inline Unrounded split_product(double a, double b) {
   return {value, ((p.high * q.high - value) + p.high * q.low + p.low * q.high) + p.low * q.low};
 }
 
-// Where nothing of a product underflows.
-inline bool is_whole(double a, double b, double product) {
+// 0 where nothing of a product underflows; else 1. No branch, for a loop that is to become vector code.
+inline double is_underflown(double a, double b, double product) {
   constexpr double least = 0x1p-900;
-  return static_cast<bool>(static_cast<int>(std::abs(product) > least) | static_cast<int>(a == 0.0) |
-                           static_cast<int>(b == 0.0));
+  const double is_small = std::abs(product) > least ? 0.0 : 1.0;
+  const double has_a = a == 0.0 ? 0.0 : 1.0;
+  const double has_b = b == 0.0 ? 0.0 : 1.0;
+  return is_small * has_a * has_b;
 }
 
 // The quick way of facet_cross(), term for term: component k of the cross product.
-LRCS_WIDE void take_component(const Lane& ai, const Lane& bi, const Lane& ci, const Lane& aj, const Lane& bj,
-                              const Lane& cj, Lane& cross, Lane& unsure) {
+LRCS_WIDE void take_component(const double* ai, const double* bi, const double* ci, const double* aj, const double* bj,
+                              const double* cj, double* __restrict cross, double* __restrict unsure) {
   for (std::size_t k = 0; k < block; ++k) {
     const Unrounded p = sum_of(bi[k], -ai[k]), q = sum_of(cj[k], -aj[k]);
     const Unrounded r = sum_of(bj[k], -aj[k]), s = sum_of(ci[k], -ai[k]);
@@ -57,11 +59,10 @@ LRCS_WIDE void take_component(const Lane& ai, const Lane& bi, const Lane& ci, co
     const double cross_terms = (p.value * q.error + p.error * q.value) - (r.value * s.error + r.error * s.value);
     const double quick = leading.value + (leading.error + ((pq.error - rs.error) + cross_terms));
     constexpr double worst_cancellation = 0x1p-46;
-    const bool kept = std::abs(quick) >= worst_cancellation * (std::abs(pq.value) + std::abs(rs.value));
-    const bool whole = static_cast<bool>(static_cast<int>(is_whole(p.value, q.value, pq.value)) &
-                                         static_cast<int>(is_whole(r.value, s.value, rs.value)));
+    const double least = worst_cancellation * (std::abs(pq.value) + std::abs(rs.value));
+    const double is_cancelled = std::abs(quick) >= least ? 0.0 : 1.0;
     cross[k] = quick;
-    unsure[k] = static_cast<bool>(static_cast<int>(kept) & static_cast<int>(whole)) ? 0.0 : 1.0;
+    unsure[k] = is_cancelled + is_underflown(p.value, q.value, pq.value) + is_underflown(r.value, s.value, rs.value);
   }
 }
 
@@ -83,7 +84,8 @@ void facet_crosses(const std::vector<Vec3>& positions, std::span<const std::arra
     take_block(positions, here, of);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-      take_component(a[i], b[i], c[i], a[j], b[j], c[j], of.cross[axis], of.unsure[axis]);
+      take_component(a[i].data(), b[i].data(), c[i].data(), a[j].data(), b[j].data(), c[j].data(),
+                     of.cross[axis].data(), of.unsure[axis].data());
     }
     for (std::size_t k = 0; k < here.size(); ++k) {
       if (of.unsure[0][k] + of.unsure[1][k] + of.unsure[2][k] == 0.0)
