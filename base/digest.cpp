@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "base/input_error.h"
+#include "base/large_pages.h"
 
 namespace lrcs {
 
@@ -61,7 +62,10 @@ std::string content_of_file(const std::filesystem::path& file) {
   // What has no size (a pipe, /proc) grows as it is read.
   std::error_code none;
   const auto size = std::filesystem::file_size(file, none);
-  std::string content(none ? 0 : static_cast<std::size_t>(size), '\0');
+  std::string content;
+  content.reserve(none ? 0 : static_cast<std::size_t>(size));
+  prefer_large_pages(content.data(), content.capacity());
+  content.resize(none ? 0 : static_cast<std::size_t>(size));
   in.read(content.data(), static_cast<std::streamsize>(content.size()));
   content.resize(static_cast<std::size_t>(in.gcount()));
   in.clear();

@@ -1,7 +1,11 @@
 #include "lrcs/facet_tree.h"
 
-#include <algorithm>
+#include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <array>
+
+#include "base/large_pages.h"
 #include "lrcs/space_order.h"
 
 namespace lrcs {
@@ -9,36 +13,61 @@ namespace lrcs {
 ViewFrame::ViewFrame(const Vec3& toward_viewer, const Vec3& centre_)
     : across(toward_viewer.unitOrthogonal()), up(toward_viewer.cross(across)), toward(toward_viewer), centre(centre_) {}
 
-FacetTree::FacetTree(const Occluders& occluders) {
-  if (occluders.size() == 0) return;
-  nodes_.reserve(occluders.size() / 2 + 1);
-  build(occluders, 0, static_cast<std::uint32_t>(occluders.size()));
-  const Box3& all = nodes_.front().box;
-  reach_ = 2.0 * std::max((all.high - occluders.centre).cwiseAbs().maxCoeff(),
-                          (all.low - occluders.centre).cwiseAbs().maxCoeff());
+namespace {
+
+// How many nodes there are over n facets, and over n + 1.
+std::array<std::size_t, 2> node_counts(std::uint32_t n) {
+  if (n + 1 <= space_leaf) return {1, 1};
+  const auto [low, high] = node_counts(n / 2);
+  const std::array<std::size_t, 3> sums{1 + low + low, 1 + low + high, 1 + high + high};
+  return {n <= space_leaf ? 1 : sums[n % 2], sums[n % 2 + 1]};
 }
 
-void FacetTree::build(const Occluders& occluders, std::uint32_t first, std::uint32_t last) {
-  const auto node = nodes_.size();
+std::size_t node_count(std::uint32_t facets) {
+  return node_counts(facets)[0];
+}
+
+}  // namespace
+
+FacetTree::FacetTree(const Occluders& occluders) {
+  if (occluders.size() == 0) return;
+  const auto all = static_cast<std::uint32_t>(occluders.size());
+  nodes_ = large_vector<Node>(node_count(all));
+  build(occluders, 0, all, 0);
+  const Box3& box = nodes_.front().box;
+  reach_ = 2.0 * std::max((box.high - occluders.centre).cwiseAbs().maxCoeff(),
+                          (box.low - occluders.centre).cwiseAbs().maxCoeff());
+}
+
+void FacetTree::build(const Occluders& occluders, std::uint32_t first, std::uint32_t last, std::size_t place) {
+  Node& node = nodes_[place];
   const Vec3& any = occluders.positions[occluders.facets[first][0]];
-  nodes_.push_back({{any, any}, first, last, 0, last - first <= space_leaf});
-  Box3 box = nodes_[node].box;
-  if (nodes_[node].leaf) {
+  node = {{any, any},
+          first,
+          last,
+          static_cast<std::uint32_t>(place + node_count(last - first)),
+          last - first <= space_leaf};
+  Box3& box = node.box;
+  if (node.leaf) {
     for (std::uint32_t f = first; f < last; ++f)
       for (const std::uint32_t v : occluders.facets[f]) {
         box.low = box.low.cwiseMin(occluders.positions[v]);
         box.high = box.high.cwiseMax(occluders.positions[v]);
       }
-  } else {
-    const std::uint32_t middle = middle_of(first, last);
-    build(occluders, first, middle);
-    const auto second = nodes_.size();
-    build(occluders, middle, last);
-    box.low = nodes_[node + 1].box.low.cwiseMin(nodes_[second].box.low);
-    box.high = nodes_[node + 1].box.high.cwiseMax(nodes_[second].box.high);
+    return;
   }
-  nodes_[node].box = box;
-  nodes_[node].skip = static_cast<std::uint32_t>(nodes_.size());
+  const std::uint32_t middle = middle_of(first, last);
+  const std::size_t left = place + 1, right = left + node_count(middle - first);
+  constexpr std::uint32_t worth_a_thread = 4096;
+  if (last - first >= worth_a_thread) {
+    tbb::parallel_invoke([&] { build(occluders, first, middle, left); },
+                         [&] { build(occluders, middle, last, right); });
+  } else {
+    build(occluders, first, middle, left);
+    build(occluders, middle, last, right);
+  }
+  box.low = nodes_[left].box.low.cwiseMin(nodes_[right].box.low);
+  box.high = nodes_[left].box.high.cwiseMax(nodes_[right].box.high);
 }
 
 namespace {

@@ -52,7 +52,7 @@ class FacetTree {
   void before(const ViewFrame& view, const Box3& box, std::vector<std::uint32_t>& found) const;
 
  private:
-  void build(const Occluders& occluders, std::uint32_t first, std::uint32_t last);
+  void build(const Occluders& occluders, std::uint32_t first, std::uint32_t last, std::size_t place);
 
   std::vector<Node> nodes_;
   double reach_ = 0.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/bucket_sort.h"
+#include "base/large_pages.h"
 
 namespace lrcs {
 namespace {
@@ -29,12 +30,14 @@ std::vector<Side> sorted_sides(const Occluders& occluders) {
 }  // namespace
 
 OccluderEdges::OccluderEdges(const Occluders& occluders)
-    : edge_of_(occluders.size()), across_(occluders.size(), {alone, alone, alone}) {
+    : edge_of_(large_vector<std::array<std::uint32_t, 3>>(occluders.size())) {
+  reserve_large(across_, occluders.size());
+  across_.assign(occluders.size(), {alone, alone, alone});
   const auto sides = sorted_sides(occluders);
   const auto none = static_cast<std::uint32_t>(2 * occluders.size());
-  uses_.reserve(sides.size());
-  edges_.reserve(sides.size() / 2);
-  begins_.reserve(sides.size() / 2 + 1);
+  reserve_large(uses_, sides.size());
+  reserve_large(edges_, sides.size() / 2);
+  reserve_large(begins_, sides.size() / 2 + 1);
   for (std::size_t k = 0; k < sides.size();) {
     const std::uint32_t low = sides[k].low, high = sides[k].high;
     const auto edge = static_cast<std::uint32_t>(edges_.size());

@@ -1,13 +1,26 @@
 #include "lrcs/occluders.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "base/large_pages.h"
 #include "lrcs/space_order.h"
+#include "mesh/facet_crosses.h"
 #include "mesh/weld.h"
 
 namespace lrcs {
 namespace {
+
+// Calls work(first, last) for ranges that make up 0..count, several at a time.
+template <class Work>
+void for_ranges(std::size_t count, const Work& work) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
+                    [&](const auto& range) { work(range.begin(), range.end()); });
+}
 
 // Powers of two are exact. What no facet uses says nothing of the size.
 void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
@@ -35,15 +48,27 @@ std::array<Vec3, 3> normals_at_corners(const FacetMesh& mesh, std::uint32_t face
 
 template <class T>
 void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> permuted;
-  permuted.reserve(values.size());
-  for (const std::uint32_t k : order) permuted.push_back(values[k]);
+  std::vector<T> permuted = large_vector<T>(values.size());
+  for_ranges(order.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) permuted[k] = values[order[k]];
+  });
   values = std::move(permuted);
+}
+
+// Turns the corners so that the first one is opposite to the longest side; value: which one it was.
+std::uint8_t turn_to_longest_side(const std::vector<Vec3>& positions, std::array<std::uint32_t, 3>& corners) {
+  const Vec3 &a = positions[corners[0]], &b = positions[corners[1]], &c = positions[corners[2]];
+  const std::array<double, 3> opposite{(c - b).squaredNorm(), (a - c).squaredNorm(), (b - a).squaredNorm()};
+  const auto first = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
+  std::rotate(corners.begin(), corners.begin() + first, corners.end());
+  return static_cast<std::uint8_t>(first);
 }
 
 }  // namespace
 
-Occluders::Occluders(const FacetMesh& mesh) : positions(mesh.positions) {
+Occluders::Occluders(const FacetMesh& mesh) {
+  reserve_large(positions, mesh.positions.size());
+  positions = mesh.positions;
   take_facets(mesh);
   order_facets();
   order_vertices();
@@ -65,30 +90,50 @@ void Occluders::take_facets(const FacetMesh& mesh) {
   for (Vec3& p : positions) p += Vec3::Zero();  // zero has one sign
   const auto vertex = keep_different(positions);
   scale_to_unit_size(positions, mesh);
-  for (std::uint32_t f = 0; f < mesh.size(); ++f) {
-    const auto& c = mesh.facets[f];
-    std::array<std::uint32_t, 3> ids{vertex[c[0]], vertex[c[1]], vertex[c[2]]};
-    const Vec3 &a = positions[ids[0]], &b = positions[ids[1]], &d = positions[ids[2]];
-    const std::array<double, 3> opposite{(d - b).squaredNorm(), (a - d).squaredNorm(), (b - a).squaredNorm()};
-    const auto first = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
-    std::rotate(ids.begin(), ids.begin() + first, ids.end());
-    const Vec3 normal = facet_cross(positions[ids[0]], positions[ids[1]], positions[ids[2]]);
-    if (normal.isZero(0.0)) continue;
-    facets.push_back(ids);
-    cross.push_back(normal);
-    original.push_back(f);
-    if (mesh.curved.of.empty()) continue;
-    auto& normals = corner_normals.emplace_back(normals_at_corners(mesh, f, normal));
-    first_corner.push_back(static_cast<std::uint8_t>(first));
-    std::rotate(normals.begin(), normals.begin() + first, normals.end());
+  facets = large_vector<std::array<std::uint32_t, 3>>(mesh.size());
+  cross = large_vector<Vec3>(mesh.size());
+  const bool curved = !mesh.curved.of.empty();
+  if (curved) first_corner.resize(mesh.size());
+  for_ranges(mesh.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const auto& c = mesh.facets[f];
+      facets[f] = {vertex[c[0]], vertex[c[1]], vertex[c[2]]};
+      const std::uint8_t turned = turn_to_longest_side(positions, facets[f]);
+      if (curved) first_corner[f] = turned;
+    }
+    facet_crosses(positions, std::span(facets).subspan(first, last - first), std::span(cross).subspan(first));
+  });
+  keep_areas();
+  if (!curved) return;
+  for (std::size_t k = 0; k < size(); ++k) {
+    auto& normals = corner_normals.emplace_back(normals_at_corners(mesh, original[k], cross[k]));
+    std::rotate(normals.begin(), normals.begin() + first_corner[k], normals.end());
   }
 }
 
+void Occluders::keep_areas() {
+  reserve_large(original, size());
+  for (std::uint32_t f = 0; f < size(); ++f)
+    if (!cross[f].isZero(0.0)) original.push_back(f);
+  if (original.size() == size()) return;
+  for (std::size_t k = 0; k < original.size(); ++k) {
+    facets[k] = facets[original[k]];
+    cross[k] = cross[original[k]];
+    if (!first_corner.empty()) first_corner[k] = first_corner[original[k]];
+  }
+  facets.resize(original.size());
+  cross.resize(original.size());
+  if (!first_corner.empty()) first_corner.resize(original.size());
+}
+
 void Occluders::order_facets() {
-  std::vector<Vec3> centres;
-  centres.reserve(size());
-  for (const auto& f : facets)
-    centres.emplace_back(positions[f[0]] / 3.0 + positions[f[1]] / 3.0 + positions[f[2]] / 3.0);
+  std::vector<Vec3> centres = large_vector<Vec3>(size());
+  for_ranges(size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto& f = facets[k];
+      centres[k] = positions[f[0]] / 3.0 + positions[f[1]] / 3.0 + positions[f[2]] / 3.0;
+    }
+  });
   const auto order = space_order(centres);
   permute(facets, order);
   permute(cross, order);
@@ -101,6 +146,7 @@ void Occluders::order_vertices() {
   constexpr std::uint32_t unused = 0xffffffff;
   std::vector<std::uint32_t> place(positions.size(), unused);
   std::vector<Vec3> used;
+  reserve_large(used, positions.size());
   for (auto& f : facets)
     for (auto& v : f) {
       if (place[v] == unused) {

@@ -30,6 +30,7 @@ struct Occluders {
 
  private:
   void take_facets(const FacetMesh& mesh);
+  void keep_areas();
   void order_facets();
   void order_vertices();
 };

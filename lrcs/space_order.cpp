@@ -1,38 +1,103 @@
 #include "lrcs/space_order.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
 #include <span>
-#include <utility>
+
+#include "base/large_pages.h"
 
 namespace lrcs {
 namespace {
 
-struct Numbered {
-  Vec3 point;
+// A point on a grid of 2^32 steps along the longest side of the box of all.
+struct Place {
+  std::array<std::uint32_t, 3> at;
   std::uint32_t number;
+
+  // Different for each point.
+  [[nodiscard]] std::uint64_t key(std::size_t axis) const { return std::uint64_t{at[axis]} << 32U | number; }
 };
 
-// Halving by number keeps the depth of the recursion at log2 of the number of points, wherever they lie.
-void part(std::span<Numbered> points) {
-  if (points.size() <= space_leaf) return;
-  Vec3 low = points.front().point;
+std::vector<Place> places_of(const std::vector<Vec3>& points) {
+  std::vector<Place> places = large_vector<Place>(points.size());
+  if (points.empty()) return places;
+  Vec3 low = points.front();
   Vec3 high = low;
-  for (const Numbered& p : points) {
-    low = low.cwiseMin(p.point);
-    high = high.cwiseMax(p.point);
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
-  int axis = 0;
-  (high - low).maxCoeff(&axis);
-  const std::uint32_t middle = middle_of(0, static_cast<std::uint32_t>(points.size()));
-  std::nth_element(points.begin(), points.begin() + middle, points.end(), [&](const Numbered& a, const Numbered& b) {
-    return std::pair(a.point[axis], a.number) < std::pair(b.point[axis], b.number);
+  const double longest = (high - low).maxCoeff();
+  const double steps = longest > 0.0 ? 4294967295.0 / longest : 0.0;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 4096), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        places[k].at[axis] = static_cast<std::uint32_t>(std::min((points[k][i] - low[i]) * steps, 4294967295.0));
+      }
+      places[k].number = static_cast<std::uint32_t>(k);
+    }
   });
-  const auto parts = std::array{points.first(middle), points.subspan(middle)};
+  return places;
+}
+
+std::size_t longest_axis(std::span<const Place> places) {
+  std::array<std::uint32_t, 3> low = places.front().at, high = low;
+  for (const Place& p : places)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p.at[axis]);
+      high[axis] = std::max(high[axis], p.at[axis]);
+    }
+  std::array<std::uint32_t, 3> side{};
+  for (std::size_t axis = 0; axis < 3; ++axis) side[axis] = high[axis] - low[axis];
+  return static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
+}
+
+// A key that about so many of the places are below.
+std::uint64_t key_near(std::span<const Place> places, std::size_t rank, std::size_t axis) {
+  constexpr std::size_t most = 63, few = 15, many_places = 2048;
+  std::array<std::uint64_t, most> sample{};
+  const std::size_t size = places.size() < many_places ? few : most;
+  for (std::size_t k = 0; k < size; ++k) sample[k] = places[k * places.size() / size].key(axis);
+  const auto wanted = sample.begin() + static_cast<std::ptrdiff_t>(rank * size / places.size());
+  std::nth_element(sample.begin(), wanted, sample.begin() + size);
+  return *wanted;
+}
+
+// std::nth_element() by the key, without a branch for each place: what is below the middle goes before it.
+void halve(std::span<Place> places, std::size_t middle, std::size_t axis) {
+  constexpr int most_rounds = 32;  // whatever the samples are
+  constexpr std::size_t few = 64;
+  std::size_t first = 0, last = places.size();
+  for (int round = 0; round < most_rounds && last - first > few; ++round) {
+    const std::uint64_t pivot = key_near(places.subspan(first, last - first), middle - first, axis);
+    std::size_t end = first;  // of those below the pivot
+    for (std::size_t k = first; k < last; ++k) {
+      const Place here = places[k];
+      places[k] = places[end];
+      places[end] = here;
+      end += here.key(axis) < pivot ? 1 : 0;
+    }
+    (middle < end ? last : first) = end;
+  }
+  const auto at = [&](std::size_t k) { return places.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::nth_element(at(first), at(middle), at(last),
+                   [axis](const Place& a, const Place& b) { return a.key(axis) < b.key(axis); });
+}
+
+// Halving by number keeps the depth of the recursion at log2 of the number of points, wherever they lie.
+void part(std::span<Place> places) {
+  if (places.size() <= space_leaf) return;
+  const std::size_t axis = longest_axis(places);
+  const std::uint32_t middle = middle_of(0, static_cast<std::uint32_t>(places.size()));
+  halve(places, middle, axis);
+  const auto parts = std::array{places.first(middle), places.subspan(middle)};
   constexpr std::size_t worth_a_thread = 4096;
-  if (points.size() >= worth_a_thread)
+  if (places.size() >= worth_a_thread)
     tbb::parallel_invoke([&] { part(parts[0]); }, [&] { part(parts[1]); });
   else
     for (const auto& half : parts) part(half);
@@ -41,13 +106,11 @@ void part(std::span<Numbered> points) {
 }  // namespace
 
 std::vector<std::uint32_t> space_order(const std::vector<Vec3>& points) {
-  std::vector<Numbered> numbered;
-  numbered.reserve(points.size());
-  for (const Vec3& point : points) numbered.push_back({point, static_cast<std::uint32_t>(numbered.size())});
-  part(numbered);
+  std::vector<Place> places = places_of(points);
+  part(places);
   std::vector<std::uint32_t> order;
-  order.reserve(points.size());
-  for (const Numbered& p : numbered) order.push_back(p.number);
+  reserve_large(order, places.size());
+  for (const Place& p : places) order.push_back(p.number);
   return order;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/compensated_sum.h"
-#include "mesh/edges.h"
+#include "base/large_pages.h"
 #include "mesh/enclosure.h"
 #include "mesh/facet_lists.h"
 #include "mesh/winding_sets.h"
@@ -19,12 +19,16 @@ using Indices = std::vector<std::uint32_t>;
 // Tears every set whose windings do not cancel at one of its edges.
 void tear_open_sets(const Edges& edges, WindingSets& sets) {
   std::vector<std::pair<std::uint32_t, int>> steps;  // of the sets at an edge
+  const auto step = [&](const EdgeUse& use) { return use.rising != sets.is_opposite(use.facet) ? 1 : -1; };
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    steps.clear();
-    for (const EdgeUse& use : edges.uses(edge)) {
-      const std::uint32_t root = sets.root(use.facet);
-      steps.emplace_back(root, use.rising != sets.is_opposite(use.facet) ? 1 : -1);
+    const auto uses = edges.uses(edge);
+    // Nearly all are such edges.
+    if (uses.size() == 2 && sets.root(uses[0].facet) == sets.root(uses[1].facet)) {
+      if (step(uses[0]) == step(uses[1])) sets.tear(uses[0].facet);
+      continue;
     }
+    steps.clear();
+    for (const EdgeUse& use : uses) steps.emplace_back(sets.root(use.facet), step(use));
     std::sort(steps.begin(), steps.end());
     for (std::size_t k = 0; k < steps.size();) {
       const std::uint32_t root = steps[k].first;
@@ -77,27 +81,38 @@ void join_as_given(const Edges& edges, WindingSets& sets) {
 
 using Join = void (*)(const Edges&, WindingSets&);
 
-// The closed shells among some facets; what belongs to none is left in `facets`.
-void take_shells(const FacetMesh& mesh, Join join, Indices& facets, bool in_one_part,
+// The closed shells among some facets, whose edges are given; what belongs to none is left in `facets`.
+void take_shells(const FacetMesh& mesh, const Edges& edges, Join join, Indices& facets, bool in_one_part,
                  std::vector<ClosedShell>& shells) {
-  const Edges edges(mesh, facets);
   WindingSets sets(mesh.size());
   join(edges, sets);
   tear_open_sets(edges, sets);
   std::map<std::uint32_t, Indices> closed;  // by the smallest facet, so that the order does not hang on the roots
   std::map<std::uint32_t, std::uint32_t> smallest;
+  std::map<std::uint32_t, std::size_t> sizes;  // by the root
+  for (const std::uint32_t facet : facets) ++sizes[sets.root(facet)];
   Indices left;
   for (const std::uint32_t facet : facets) {
-    if (sets.is_torn(facet))
+    if (sets.is_torn(facet)) {
       left.push_back(facet);
-    else
-      closed[smallest.try_emplace(sets.root(facet), facet).first->second].push_back(facet);
+      continue;
+    }
+    const std::uint32_t root = sets.root(facet);
+    const auto [first, is_new] = smallest.try_emplace(root, facet);
+    Indices& members = closed[first->second];
+    if (is_new) reserve_large(members, sizes[root]);
+    members.push_back(facet);
   }
   for (auto& [first, members] : closed) {
     shells.push_back(shell_of(mesh, std::move(members), sets));
     shells.back().in_one_part = in_one_part;
   }
   facets = std::move(left);
+}
+
+void take_shells(const FacetMesh& mesh, Join join, Indices& facets, bool in_one_part,
+                 std::vector<ClosedShell>& shells) {
+  if (!facets.empty()) take_shells(mesh, Edges(mesh, facets), join, facets, in_one_part, shells);
 }
 
 // Below this, a volume is rounding.
@@ -125,10 +140,18 @@ void face_outward(const FacetMesh& mesh, std::vector<ClosedShell>& shells) {
 }  // namespace
 
 std::vector<ClosedShell> closed_shells(const FacetMesh& welded) {
+  return closed_shells(welded, Edges(welded));
+}
+
+std::vector<ClosedShell> closed_shells(const FacetMesh& welded, const Edges& edges) {
   std::vector<ClosedShell> shells;
   Indices left;
   for (Indices& part : facets_of_parts(welded)) {
-    for (const Join join : {join_at_manifold_edges, join_as_given}) take_shells(welded, join, part, true, shells);
+    if (part.size() == welded.size())
+      take_shells(welded, edges, join_at_manifold_edges, part, true, shells);
+    else
+      take_shells(welded, join_at_manifold_edges, part, true, shells);
+    take_shells(welded, join_as_given, part, true, shells);
     left.insert(left.end(), part.begin(), part.end());
   }
   std::sort(left.begin(), left.end());

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/edges.h"
 #include "mesh/facet_mesh.h"
 
 namespace lrcs {
@@ -23,5 +24,7 @@ struct ClosedShell {
 // its windings too. domain: facets of three different vertices, no two the same (repair_connectivity() sees to that).
 // error: volume: below 16 eps Sum |a| |b| |c| over the facets, their corners seen from the shell's first one.
 [[nodiscard]] std::vector<ClosedShell> closed_shells(const FacetMesh& welded);
+// The same for whoever has the edges of all facets already.
+[[nodiscard]] std::vector<ClosedShell> closed_shells(const FacetMesh& welded, const Edges& edges);
 
 }  // namespace lrcs

@@ -5,12 +5,13 @@
 #include <tuple>
 
 #include "base/bucket_sort.h"
+#include "base/large_pages.h"
 
 namespace lrcs {
 namespace {
 
 std::vector<std::uint32_t> all_facets(const FacetMesh& mesh) {
-  std::vector<std::uint32_t> all(mesh.size());
+  std::vector<std::uint32_t> all = large_vector<std::uint32_t>(mesh.size());
   std::iota(all.begin(), all.end(), 0U);
   return all;
 }
@@ -33,7 +34,7 @@ Edges::Edges(const FacetMesh& welded, std::span<const std::uint32_t> facets) {
   uses_ = bucket_sorted<EdgeUse>(
       each_use, [](const EdgeUse& use) { return use.low; },
       [](const EdgeUse& a, const EdgeUse& b) { return std::tie(a.high, a.facet) < std::tie(b.high, b.facet); });
-  begins_.reserve(uses_.size() / 2 + 1);
+  reserve_large(begins_, uses_.size() / 2 + 1);
   for (std::size_t k = 0; k < uses_.size(); ++k) {
     if (k == 0 || uses_[k].low != uses_[k - 1].low || uses_[k].high != uses_[k - 1].high) begins_.push_back(k);
   }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/large_pages.h"
+
 namespace lrcs {
 namespace {
 
@@ -17,9 +19,11 @@ std::vector<std::vector<std::uint32_t>*> lists_of(FacetMesh& mesh) {
 }  // namespace
 
 std::size_t drop_facets(FacetMesh& mesh, const std::function<bool(std::size_t)>& drop) {
-  const auto lists = lists_of(mesh);
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < mesh.size(); ++k) {
+  while (kept < mesh.size() && !drop(kept)) ++kept;
+  if (kept == mesh.size()) return 0;
+  const auto lists = lists_of(mesh);
+  for (std::size_t k = kept + 1; k < mesh.size(); ++k) {
     if (drop(k)) continue;
     mesh.facets[kept] = mesh.facets[k];
     for (auto* list : lists) (*list)[kept] = (*list)[k];
@@ -46,6 +50,9 @@ void turn_over(FacetMesh& mesh, const std::vector<std::uint32_t>& facets) {
 
 std::vector<std::vector<std::uint32_t>> facets_of_parts(const FacetMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> parts(mesh.part.names.size());
+  std::vector<std::size_t> sizes(parts.size(), 0);
+  for (const std::uint32_t part : mesh.part.of) ++sizes[part];
+  for (std::size_t p = 0; p < parts.size(); ++p) reserve_large(parts[p], sizes[p]);
   for (std::uint32_t k = 0; k < mesh.size(); ++k) parts[mesh.part.of[k]].push_back(k);
   return parts;
 }

@@ -1,9 +1,15 @@
 #include "mesh/facet_mesh.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
+#include <span>
 
 #include "base/expansion.h"
+#include "base/large_pages.h"
+#include "mesh/facet_crosses.h"
 
 namespace lrcs {
 namespace {
@@ -27,6 +33,14 @@ double difference_of_products(Unrounded p, Unrounded q, Unrounded r, Unrounded s
   return exact.rounded();
 }
 
+// Vec3::stableNorm(), without its loop over blocks.
+double length_of(const Vec3& v) {
+  const double most = v.cwiseAbs().maxCoeff();
+  if (!(most > 0x1p-1000 && most < 0x1p1000)) return v.stableNorm();
+  const Vec3 scaled = v * (1.0 / most);
+  return most * std::sqrt((scaled.x() * scaled.x() + scaled.y() * scaled.y()) + scaled.z() * scaled.z());
+}
+
 }  // namespace
 
 Vec3 facet_cross(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -41,15 +55,21 @@ Vec3 facet_cross(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 void measure_facets(FacetMesh& mesh) {
-  mesh.normals.resize(mesh.size());
-  mesh.areas.resize(mesh.size());
-  for (std::size_t k = 0; k < mesh.size(); ++k) {
-    const auto [a, b, c] = mesh.corners(k);
-    const Vec3 cross = facet_cross(a, b, c);
-    const double length = cross.stableNorm();
-    mesh.areas[k] = 0.5 * length * mesh.metres_per_unit * mesh.metres_per_unit;
-    mesh.normals[k] = length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
+  if (mesh.normals.size() != mesh.size()) {
+    reserve_large(mesh.normals, mesh.size());
+    reserve_large(mesh.areas, mesh.size());
+    mesh.normals.resize(mesh.size());
+    mesh.areas.resize(mesh.size());
   }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.size(), 4096), [&](const auto& range) {
+    const std::span normals = std::span(mesh.normals).subspan(range.begin(), range.size());
+    facet_crosses(mesh.positions, std::span(mesh.facets).subspan(range.begin(), range.size()), normals);
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      const double length = length_of(mesh.normals[k]);
+      mesh.areas[k] = 0.5 * length * mesh.metres_per_unit * mesh.metres_per_unit;
+      mesh.normals[k] = length > 0.0 ? Vec3(mesh.normals[k] / length) : Vec3::Zero();
+    }
+  });
 }
 
 double diagonal_of(const FacetMesh& mesh) {

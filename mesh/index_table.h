@@ -5,13 +5,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_pages.h"
+
 namespace lrcs {
 
 // Which of many things, known by their index, is equal to one: a hash table that holds indices only.
 class IndexTable {
  public:
   // domain: at most so many indices are added.
-  explicit IndexTable(std::size_t most) : places_(std::bit_ceil(std::max<std::size_t>(2 * most, 2)), none) {
+  explicit IndexTable(std::size_t most) {
+    const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * most, 2));
+    reserve_large(places_, size);
+    places_.assign(size, none);
     shift_ = 64 - std::countr_zero(places_.size());
   }
 

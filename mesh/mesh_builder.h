@@ -21,6 +21,8 @@ class MeshBuilder {
 
   // Adds a vertex and gives its index. domain: coordinates for which is_coordinate() holds.
   std::uint32_t add_position(const Vec3& position);
+  // The same of many vertices.
+  void add_positions(std::vector<Vec3> positions);
   [[nodiscard]] std::size_t position_count() const { return mesh_.positions.size(); }
   [[nodiscard]] const Vec3& position(std::uint32_t k) const { return mesh_.positions[k]; }
 
@@ -39,6 +41,9 @@ class MeshBuilder {
   // Adds facets of one polygon of the file, cut already. domain: indices of vertices already added.
   void add_facets(std::span<const std::array<std::uint32_t, 3>> facets);
 
+  // Adds facets, each a polygon of its own. domain: as above.
+  void add_triangles(std::vector<std::array<std::uint32_t, 3>> facets);
+
   // The mesh, measured; without colours or layers where none has a name. The builder is empty after that.
   [[nodiscard]] FacetMesh finish();
 
@@ -51,7 +56,11 @@ class MeshBuilder {
 
     void begin(std::string_view new_name);
     std::uint32_t use(std::vector<std::string>& names);
+    std::uint32_t use_nameless(std::vector<std::string>& names);  // of ""
   };
+
+  void require_room(std::size_t more) const;
+  void name_facets(std::size_t before);
 
   FacetMesh mesh_;
   Names part_, material_, colour_, layer_;

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -9,6 +12,7 @@
 #include <utility>
 
 #include "base/input_error.h"
+#include "base/large_pages.h"
 #include "base/text_scanner.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/ply_header.h"
@@ -48,6 +52,43 @@ class TextRows {
   TextScanner scanner_;
 };
 
+// A value of a binary file. Whole: bits of any integer type.
+template <class Bits>
+Bits bits_at(const char* bytes, bool big_endian) {
+  static_assert(std::endian::native == std::endian::little);
+  Bits bits = 0;
+  std::memcpy(&bits, bytes, sizeof bits);
+  if (!big_endian) return bits;
+  if constexpr (sizeof bits == 2) return __builtin_bswap16(bits);
+  if constexpr (sizeof bits == 4) return __builtin_bswap32(bits);
+  if constexpr (sizeof bits == 8) return __builtin_bswap64(bits);
+  return bits;
+}
+
+// domain: an integer type.
+std::int64_t integer_at(const char* bytes, PlyType type, bool big_endian) {
+  switch (type) {
+    case PlyType::int8:
+      return static_cast<std::int8_t>(*bytes);
+    case PlyType::uint8:
+      return static_cast<std::uint8_t>(*bytes);
+    case PlyType::int16:
+      return static_cast<std::int16_t>(bits_at<std::uint16_t>(bytes, big_endian));
+    case PlyType::uint16:
+      return bits_at<std::uint16_t>(bytes, big_endian);
+    case PlyType::int32:
+      return static_cast<std::int32_t>(bits_at<std::uint32_t>(bytes, big_endian));
+    default:
+      return bits_at<std::uint32_t>(bytes, big_endian);
+  }
+}
+
+double number_at(const char* bytes, PlyType type, bool big_endian) {
+  if (type == PlyType::float32) return std::bit_cast<float>(bits_at<std::uint32_t>(bytes, big_endian));
+  if (type == PlyType::float64) return std::bit_cast<double>(bits_at<std::uint64_t>(bytes, big_endian));
+  return static_cast<double>(integer_at(bytes, type, big_endian));
+}
+
 class BinaryRows {
  public:
   BinaryRows(std::string_view bytes, bool big_endian, std::string file)
@@ -58,19 +99,9 @@ class BinaryRows {
     row_ = row;
   }
   [[nodiscard]] static int line() { return 0; }
-  double number(PlyType type) {
-    if (type == PlyType::float32) return std::bit_cast<float>(static_cast<std::uint32_t>(take(4)));
-    if (type == PlyType::float64) return std::bit_cast<double>(take(8));
-    return static_cast<double>(integer(type));
-  }
+  double number(PlyType type) { return number_at(take(size_in_bytes(type)), type, big_endian_); }
   // domain: an integer type.
-  std::int64_t integer(PlyType type) {
-    const std::uint64_t bits = take(size_in_bytes(type));
-    if (type == PlyType::int8) return static_cast<std::int8_t>(bits);
-    if (type == PlyType::int16) return static_cast<std::int16_t>(bits);
-    if (type == PlyType::int32) return static_cast<std::int32_t>(bits);
-    return static_cast<std::int64_t>(bits);
-  }
+  std::int64_t integer(PlyType type) { return integer_at(take(size_in_bytes(type)), type, big_endian_); }
   void skip(PlyType type) { take(size_in_bytes(type)); }
   void end_row() const {}
   [[noreturn]] void fail(const std::string& message) const {
@@ -78,15 +109,18 @@ class BinaryRows {
                                                shown(element_->name), message));
   }
 
+  // What is left, and how it is to be read.
+  [[nodiscard]] std::string_view bytes() const { return bytes_; }
+  [[nodiscard]] bool big_endian() const { return big_endian_; }
+  // domain: so many are left.
+  void pass_over(std::size_t bytes) { bytes_.remove_prefix(bytes); }
+
  private:
-  std::uint64_t take(std::size_t size) {
+  const char* take(std::size_t size) {
     if (bytes_.size() < size) fail("the file ends here");
-    static_assert(std::endian::native == std::endian::little);
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, bytes_.data(), size);
-    if (big_endian_) bits = __builtin_bswap64(bits) >> (64U - 8U * size);
+    const char* const taken = bytes_.data();
     bytes_.remove_prefix(size);
-    return bits;
+    return taken;
   }
 
   std::string_view bytes_;
@@ -104,6 +138,12 @@ void skip(Rows& rows, const PlyProperty& property) {
 
 bool is_scalar(const PlyProperty& property) {
   return !property.count_type;
+}
+
+// 0, 1 or 2: the property is x, y or z; else 3.
+std::size_t axis_of(const PlyProperty& property) {
+  if (property.name.size() != 1 || !is_scalar(property)) return 3;
+  return std::min<std::size_t>(std::string_view("xyz").find(property.name), 3);
 }
 
 constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, normal_names{"nx", "ny", "nz"};
@@ -253,15 +293,98 @@ class Faces {
   std::size_t row_ = 0;
 };
 
+// Calls good(row) for all rows, several at a time, and says whether it was true of each.
+template <class Good>
+bool all_rows(std::size_t rows, const Good& good) {
+  std::atomic<bool> all = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 4096), [&](const auto& range) {
+    bool here = true;
+    for (std::size_t row = range.begin(); row < range.end() && here; ++row) here = good(row);
+    if (!here) all = false;
+  });
+  return all;
+}
+
+// Where x, y and z stand in a row of scalars, and its size.
+struct VertexLayout {
+  std::array<std::size_t, 3> at{};
+  std::array<PlyType, 3> type{};
+  std::size_t size = 0;
+};
+
+std::optional<VertexLayout> vertex_layout(const PlyElement& element) {
+  VertexLayout layout;
+  for (const PlyProperty& property : element.properties) {
+    if (!is_scalar(property)) return std::nullopt;
+    if (const std::size_t axis = axis_of(property); axis < 3) {
+      layout.at[axis] = layout.size;
+      layout.type[axis] = property.type;
+    }
+    layout.size += size_in_bytes(property.type);
+  }
+  return layout;
+}
+
+// The quick ways, for rows that all have the same size. false, and nothing is taken: what is there, or what is wrong
+// with it, is for the row by row way to find.
+bool read_vertices_at_once(BinaryRows& rows, const PlyElement& element, MeshBuilder& builder) {
+  const auto layout = vertex_layout(element);
+  if (!layout || rows.bytes().size() / layout->size < element.count) return false;
+  const bool big_endian = rows.big_endian();
+  const char* const begin = rows.bytes().data();
+  std::vector<Vec3> positions = large_vector<Vec3>(element.count);
+  const bool good = all_rows(element.count, [&](std::size_t row) {
+    const char* const here = begin + row * layout->size;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      positions[row][static_cast<Eigen::Index>(axis)] =
+          number_at(here + layout->at[axis], layout->type[axis], big_endian);
+    return is_coordinate(positions[row].x()) && is_coordinate(positions[row].y()) && is_coordinate(positions[row].z());
+  });
+  if (!good) return false;
+  builder.add_positions(std::move(positions));
+  rows.pass_over(element.count * layout->size);
+  return true;
+}
+
+bool read_triangles_at_once(BinaryRows& rows, const PlyElement& element, MeshBuilder& builder) {
+  const PlyProperty& list = element.properties.front();
+  if (element.properties.size() != 1 || !is_index_list(list)) return false;
+  const std::size_t head = size_in_bytes(*list.count_type), index_size = size_in_bytes(list.type);
+  const std::size_t size = head + 3 * index_size;
+  if (rows.bytes().size() / size < element.count) return false;
+  const bool big_endian = rows.big_endian();
+  const char* const begin = rows.bytes().data();
+  const auto vertices = static_cast<std::int64_t>(builder.position_count());
+  auto facets = large_vector<std::array<std::uint32_t, 3>>(element.count);
+  // If the first row has three corners, the second begins where it is sought, and so on.
+  const bool good = all_rows(element.count, [&](std::size_t row) {
+    const char* const here = begin + row * size;
+    bool in_range = integer_at(here, *list.count_type, big_endian) == 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t index = integer_at(here + head + k * index_size, list.type, big_endian);
+      in_range = in_range && index >= 0 && index < vertices;
+      facets[row][k] = static_cast<std::uint32_t>(index);
+    }
+    return in_range;
+  });
+  if (!good) return false;
+  builder.add_triangles(std::move(facets));
+  rows.pass_over(element.count * size);
+  return true;
+}
+
+bool read_at_once(BinaryRows& rows, const PlyElement& element, MeshBuilder& builder) {
+  if (element.name == "vertex") return read_vertices_at_once(rows, element, builder);
+  return element.name == "face" && read_triangles_at_once(rows, element, builder);
+}
+
+bool read_at_once(TextRows& /*rows*/, const PlyElement& /*element*/, MeshBuilder& /*builder*/) {
+  return false;
+}
+
 template <class Rows>
 FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes, FileNormals* normals) {
   MeshBuilder builder;
-  // Coordinates and corners take two bytes each and more: what the header claims beyond that cannot follow.
-  for (const PlyElement& element : header.elements) {
-    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count, bytes / 6));
-    if (element.name == "vertex") builder.reserve(most, 0);
-    if (element.name == "face") builder.reserve(0, most);
-  }
   std::optional<Vertices> vertices;
   std::optional<Faces> faces;
   for (const PlyElement& element : header.elements) {
@@ -269,6 +392,11 @@ FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes, FileN
     if (element.properties.empty()) continue;
     if (element.name == "vertex") vertices.emplace(element, builder, normals);
     if (element.name == "face") faces.emplace(element, builder);
+    // Normals are taken up row by row.
+    if (normals == nullptr && read_at_once(rows, element, builder)) continue;
+    // Coordinates and corners take two bytes each and more: what the header claims beyond that cannot follow.
+    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count, bytes / 6));
+    builder.reserve(element.name == "vertex" ? most : 0, element.name == "face" ? most : 0);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
       if (element.name == "vertex") {

@@ -1,14 +1,24 @@
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "base/input_error.h"
+#include "base/large_pages.h"
 #include "base/text_scanner.h"
+#include "mesh/facet_crosses.h"
 #include "mesh/file_format.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/read_formats.h"
@@ -80,26 +90,37 @@ Vec3 record_at(std::string_view content, std::size_t facet, std::size_t place) {
   return {float_at(content, at), float_at(content, at + 4), float_at(content, at + 8)};
 }
 
+// Three a facet.
 std::vector<Vec3> vertices_of(std::string_view content, std::size_t count, const std::string& file) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(3 * count);
-  for (std::size_t vertex = 0; vertex < 3 * count; ++vertex) {
-    const Vec3& p = vertices.emplace_back(record_at(content, vertex / 3, vertex % 3 + 1));
-    if (!p.allFinite())
-      throw InputError(Place{file}, fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
-                                                vertex / 3 + 1, count, p.x(), p.y(), p.z()));
-  }
-  return vertices;
+  std::vector<Vec3> vertices = large_vector<Vec3>(3 * count);
+  std::atomic<bool> finite = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 4096), [&](const auto& range) {
+    bool here = true;
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      vertices[k] = record_at(content, k / 3, k % 3 + 1);
+      here = here && vertices[k].allFinite();
+    }
+    if (!here) finite = false;
+  });
+  if (finite) return vertices;
+  const auto wrong = std::find_if(vertices.begin(), vertices.end(), [](const Vec3& p) { return !p.allFinite(); });
+  throw InputError(Place{file},
+                   fmt::format("facet {} of {}: expected finite coordinates, found ({}, {}, {})",
+                               (wrong - vertices.begin()) / 3 + 1, count, wrong->x(), wrong->y(), wrong->z()));
 }
 
-// vertices: three a facet.
-std::size_t count_normals_against(std::string_view content, const std::vector<Vec3>& vertices) {
-  std::size_t against = 0;
-  for (std::size_t k = 0; 3 * k < vertices.size(); ++k) {
-    const Vec3 normal = record_at(content, k, 0);
-    against += points_back(normal, vertices[3 * k], vertices[3 * k + 1], vertices[3 * k + 2]) ? 1 : 0;
-  }
-  return against;
+std::size_t count_normals_against(std::string_view content, const std::vector<Vec3>& vertices,
+                                  std::span<const std::array<std::uint32_t, 3>> facets) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, facets.size(), 4096), std::size_t{0},
+      [&](const auto& range, std::size_t against) {
+        std::vector<Vec3> cross(range.size());
+        facet_crosses(vertices, facets.subspan(range.begin(), range.size()), cross);
+        for (std::size_t k = 0; k < cross.size(); ++k)
+          against += cross[k].dot(record_at(content, range.begin() + k, 0)) < 0.0 ? 1 : 0;
+        return against;
+      },
+      std::plus<>());
 }
 
 }  // namespace
@@ -131,12 +152,13 @@ FacetMesh read_binary_stl(std::string_view content, const std::string& file) {
     throw InputError(Place{file}, fmt::format("has {} bytes, expected {} for the {} facets of its binary STL header",
                                               content.size(), stl_header + stl_record * count, count));
   std::vector<Vec3> vertices = vertices_of(content, count, file);
-  const std::size_t normals_against = count_normals_against(content, vertices);
   const std::vector<std::uint32_t> place = keep_different(vertices);
+  auto facets = large_vector<std::array<std::uint32_t, 3>>(count);
+  for (std::size_t k = 0; k < count; ++k) facets[k] = {place[3 * k], place[3 * k + 1], place[3 * k + 2]};
+  const std::size_t normals_against = count_normals_against(content, vertices, facets);
   MeshBuilder builder;
-  builder.reserve(vertices.size(), count);
-  for (const Vec3& p : vertices) builder.add_position(p);
-  for (std::size_t k = 0; k < count; ++k) builder.add_polygon(std::span(place).subspan(3 * k, 3));
+  builder.add_positions(std::move(vertices));
+  builder.add_triangles(std::move(facets));
   FacetMesh mesh = builder.finish();
   mesh.normals_against = normals_against;
   return mesh;

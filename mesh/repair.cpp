@@ -1,11 +1,16 @@
 #include "mesh/repair.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/splitmix64.h"
 #include "mesh/closed_shells.h"
 #include "mesh/collinear.h"
+#include "mesh/edges.h"
 #include "mesh/facet_lists.h"
 #include "mesh/index_table.h"
 #include "mesh/weld.h"
@@ -17,6 +22,7 @@ using Corners = std::array<std::uint32_t, 3>;
 
 std::size_t weld(FacetMesh& mesh) {
   const std::vector<std::uint32_t> place = keep_different(mesh.positions);
+  if (place.size() == mesh.positions.size()) return 0;
   for (Corners& corners : mesh.facets) {
     for (std::uint32_t& corner : corners) corner = place[corner];
   }
@@ -36,6 +42,25 @@ bool has_equal_corners(const Corners& c) {
 bool is_degenerate(const FacetMesh& mesh, std::size_t facet) {
   const auto [a, b, c] = mesh.corners(facet);
   return are_collinear(a, b, c);
+}
+
+// Of every facet: is it degenerate?
+std::vector<std::uint8_t> degenerate_facets(const FacetMesh& mesh) {
+  std::vector<std::uint8_t> degenerate(mesh.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.size(), 4096), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k) degenerate[k] = is_degenerate(mesh, k) ? 1 : 0;
+  });
+  return degenerate;
+}
+
+// Could a facet repeat another? It would take all of its edges in the same direction.
+bool may_repeat(const Edges& edges) {
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    std::size_t rising = 0;
+    for (const EdgeUse& use : edges.uses(edge)) rising += use.rising ? 1 : 0;
+    if (rising > 1 || edges.uses(edge).size() - rising > 1) return true;
+  }
+  return false;
 }
 
 // Of every facet: does it repeat an earlier one, of the same part or of any?
@@ -70,12 +95,13 @@ void drop_duplicate(FacetMesh& mesh, bool of_same_part, RepairsByPart& repairs) 
 }
 
 void count_degenerate(const FacetMesh& mesh, RepairsByPart& repairs) {
+  const std::vector<std::uint8_t> degenerate = degenerate_facets(mesh);
   for (std::size_t k = 0; k < mesh.size(); ++k)
-    if (is_degenerate(mesh, k)) count(repairs, &RepairCounts::degenerate, mesh.part.of[k]);
+    if (degenerate[k] != 0) count(repairs, &RepairCounts::degenerate, mesh.part.of[k]);
 }
 
-void face_outward(FacetMesh& mesh, RepairsByPart& repairs) {
-  for (const ClosedShell& shell : closed_shells(mesh)) {
+void face_outward(FacetMesh& mesh, const Edges& edges, RepairsByPart& repairs) {
+  for (const ClosedShell& shell : closed_shells(mesh, edges)) {
     turn_over(mesh, shell.reversed);
     for (const std::uint32_t facet : shell.reversed)
       if (!is_degenerate(mesh, facet)) count(repairs, &RepairCounts::flipped, mesh.part.of[facet]);
@@ -91,8 +117,12 @@ RepairsByPart connect(FacetMesh& mesh) {
   repairs.all.welded_vertices = weld(mesh);
   count_degenerate(mesh, repairs);
   drop_facets(mesh, [&](std::size_t k) { return has_equal_corners(mesh.facets[k]); });
-  drop_duplicate(mesh, true, repairs);
-  face_outward(mesh, repairs);
+  std::optional<Edges> edges(mesh);
+  if (may_repeat(*edges)) {
+    drop_duplicate(mesh, true, repairs);
+    edges.emplace(mesh);
+  }
+  face_outward(mesh, *edges, repairs);
   // Where two parts touch, a side of the one repeats a side of the other as long as one of them faces inward.
   if (repairs.all.flipped > 0 || mesh.part.names.size() > 1) drop_duplicate(mesh, false, repairs);
   return repairs;
@@ -133,7 +163,10 @@ std::size_t drop_degenerate(FacetMesh& mesh) {
 
 RepairCounts repair(FacetMesh& mesh) {
   const RepairsByPart repairs = connect(mesh);
-  drop_degenerate(mesh);
+  if (repairs.all.degenerate > 0)
+    drop_degenerate(mesh);
+  else
+    measure_facets(mesh);
   return repairs.all;
 }
 

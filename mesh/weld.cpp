@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "base/large_pages.h"
 #include "mesh/index_table.h"
 
 namespace lrcs {
@@ -21,7 +22,7 @@ std::uint64_t hash_of(const Vec3& p) {
 
 std::vector<std::uint32_t> first_equal(const std::vector<Vec3>& positions) {
   IndexTable known(positions.size());
-  std::vector<std::uint32_t> first(positions.size());
+  std::vector<std::uint32_t> first = large_vector<std::uint32_t>(positions.size());
   for (std::uint32_t k = 0; k < positions.size(); ++k)
     first[k] = known.first_equal(hash_of(positions[k]), k,
                                  [&](std::uint32_t other) { return positions[other] == positions[k]; });
