@@ -6,6 +6,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -103,6 +104,8 @@ void confine(const ReaderLimits& limits) {
     const char first = outcome;
     _exit(result.write({&first, 1}) && result.write(bytes) ? 0 : 1);
   };
+  // Threads of the parent are not here, and each new one would take of the memory that the file may.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   try {
     finish(bytes_follow, work());
   } catch (const InputError& wrong) {

@@ -23,7 +23,7 @@ class ReaderNotLoaded : public std::runtime_error {
 // comes out here; another exception, a signal or a limit is an InputError that names
 //   the file. std::runtime_error where no process can be had, ReaderNotLoaded as `work` throws it.
 // law: the process ends with this one.
-// domain: call it before threads are started, or where they hold no lock that `work` needs.
+// domain: call it before threads are started, or where they hold no lock that `work` needs; `work` has one thread.
 [[nodiscard]] std::string contained(const std::string& file, const ReaderLimits& limits,
                                     const std::function<std::string()>& work);
 

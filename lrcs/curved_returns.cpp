@@ -328,6 +328,8 @@ class Looking {
       // Beside a crease rules of both degrees may err alike, facet after facet.
       if (depth == 1)
         for (const CurvedReturn& part : of_part) sum.bound += std::abs(part.returned - part.lower);
+      else
+        sum.bound += std::abs(together.returned - returned);
       return;
     }
     for (std::size_t q = 0; q < quarters.size(); ++q)

@@ -32,7 +32,9 @@ std::vector<Place> places_of(const std::vector<Vec3>& points) {
     high = high.cwiseMax(p);
   }
   const double longest = (high - low).maxCoeff();
-  const double steps = longest > 0.0 ? 4294967295.0 / longest : 0.0;
+  // So small a spread has no steps that are doubles: all points count as one.
+  constexpr double least_spread = 0x1p-900;
+  const double steps = longest > least_spread ? 4294967295.0 / longest : 0.0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 4096), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -393,7 +393,8 @@ FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes, FileN
     if (element.name == "vertex") vertices.emplace(element, builder, normals);
     if (element.name == "face") faces.emplace(element, builder);
     // Normals are taken up row by row.
-    if (normals == nullptr && read_at_once(rows, element, builder)) continue;
+    const bool has_wanted_normals = normals != nullptr && element.name == "vertex";
+    if (!has_wanted_normals && read_at_once(rows, element, builder)) continue;
     // Coordinates and corners take two bytes each and more: what the header claims beyond that cannot follow.
     const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(element.count, bytes / 6));
     builder.reserve(element.name == "vertex" ? most : 0, element.name == "face" ? most : 0);
