@@ -43,7 +43,7 @@ void reflect(const Target& target, std::uint32_t material, const Vec3& wi, const
             else
               returned = seen[k].value > 0.0 ? pair(n) : unseen.f_cos_cos(wi, wr, n);
             out[k] = std::max(out[k], returned);
-            if constexpr (requires { pair.lobe_error(n); })
+            if constexpr (HasLobeError<decltype(pair)>)
               if (returned > 0.0 && !perhaps_edge_on)
                 lobes.add(pair.lobe_error(n) * target.mesh.areas[k] * (seen[k].value + seen[k].bound));
           }
@@ -114,7 +114,7 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     sigma.add(result.facet_sigma[k]);
     seen_area.add(area * seen[k].value * std::abs(cos_r));
     const double grazing = std::min(std::abs(cos_i), std::abs(cos_r));
-    const double relative = of_pair + (grazing > model_error ? model_error / grazing : 1.0);
+    const double relative = of_pair + grazing_error(grazing);
     bound.add(full * (seen[k].bound + seen[k].value * relative));
   }
   const double of_curvature = std::abs(remains.value()) + std::sqrt(squares.value());

@@ -349,8 +349,8 @@ class Looking {
     sum.lower += value;
     sum.lit_seen += area;
     sum.seen_area += area * cos_r;
-    sum.bound += std::abs(value) * (least > model_error ? model_error / least : 1.0) +
-                 (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
+    sum.bound +=
+        std::abs(value) * grazing_error(least) + (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
   }
 
   template <class Model>
@@ -375,9 +375,9 @@ class Looking {
       sum.lower += share * rule_.lower[k] * area[k] * value;
       sum.lit_seen += weight[k];
       sum.seen_area += weight[k] * cos_r[k];
-      sum.bound += std::abs(weight[k] * value) * (model_error / std::max(least[k], model_error));
+      sum.bound += std::abs(weight[k] * value) * grazing_error(least[k]);
     }
-    if constexpr (requires { reflection.pair.lobe_error(wi); })
+    if constexpr (HasLobeError<decltype(reflection.pair)>)
       for (std::size_t k = 0; k < PatchRule::size; ++k)
         if (least[k] > 0.0 && values[k] != 0.0)
           sum.bound += std::abs(weight[k]) * lobe_error(reflection.pair, Vec3(side * patch.normal[k]));

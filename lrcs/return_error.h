@@ -23,6 +23,11 @@ inline constexpr double doubtful_cosine = 16.0 * 0x1p-53;
 // operations and an exponent of up to a hundred. Held by CrossSection.BoundHoldsAgainstExtendedPrecision.
 inline constexpr double model_error = 512.0 * 0x1p-53;
 
+// The relative error of what a facet returns whose lesser cosine is this, above zero: near grazing all of it.
+[[nodiscard]] inline double grazing_error(double cosine) {
+  return model_error / std::max(cosine, model_error);
+}
+
 // For a facet that someone sees edge-on, as far as rounding can tell: the most that the side may return which n is the
 // normal of [1/sr]. pair: a model's for_pair(wi, wr).
 template <class Pair>
@@ -32,10 +37,16 @@ template <class Pair>
   return std::max(0.0, pair(n));
 }
 
+// Has a model, by its pair, a lobe that rounding moves?
+template <class Pair>
+concept HasLobeError = requires(const Pair& pair, const Vec3& n) {
+  pair.lobe_error(n);
+};
+
 // How far rounding may move the lobe of a model, for one pair of directions and one normal [1/sr]; 0 of models without.
 template <class Pair>
 [[nodiscard]] double lobe_error(const Pair& pair, const Vec3& n) {
-  if constexpr (requires { pair.lobe_error(n); })
+  if constexpr (HasLobeError<Pair>)
     return pair.lobe_error(n);
   else
     return 0.0;

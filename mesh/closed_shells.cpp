@@ -90,7 +90,8 @@ void take_shells(const FacetMesh& mesh, const Edges& edges, Join join, Indices& 
   std::map<std::uint32_t, Indices> closed;  // by the smallest facet, so that the order does not hang on the roots
   std::map<std::uint32_t, std::uint32_t> smallest;
   std::map<std::uint32_t, std::size_t> sizes;  // by the root
-  for (const std::uint32_t facet : facets) ++sizes[sets.root(facet)];
+  for (const std::uint32_t facet : facets)
+    if (!sets.is_torn(facet)) ++sizes[sets.root(facet)];
   Indices left;
   for (const std::uint32_t facet : facets) {
     if (sets.is_torn(facet)) {

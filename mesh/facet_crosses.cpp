@@ -6,6 +6,7 @@
 #include "base/expansion.h"
 #include "base/wide_loop.h"
 #include "mesh/facet_mesh.h"
+#include "mesh/product_difference.h"
 
 namespace lrcs {
 namespace {
@@ -55,13 +56,9 @@ LRCS_WIDE void take_component(const double* ai, const double* bi, const double* 
     const Unrounded r = sum_of(bj[k], -aj[k]), s = sum_of(ci[k], -ai[k]);
     const Unrounded pq = split_product(p.value, q.value);
     const Unrounded rs = split_product(r.value, s.value);
-    const Unrounded leading = sum_of(pq.value, -rs.value);
-    const double cross_terms = (p.value * q.error + p.error * q.value) - (r.value * s.error + r.error * s.value);
-    const double quick = leading.value + (leading.error + ((pq.error - rs.error) + cross_terms));
-    constexpr double worst_cancellation = 0x1p-46;
-    const double least = worst_cancellation * (std::abs(pq.value) + std::abs(rs.value));
-    const double is_cancelled = std::abs(quick) >= least ? 0.0 : 1.0;
-    cross[k] = quick;
+    const ProductDifference quick = product_difference(p, q, r, s, pq, rs);
+    const double is_cancelled = std::abs(quick.value) >= quick.least ? 0.0 : 1.0;
+    cross[k] = quick.value;
     unsure[k] = is_cancelled + is_underflown(p.value, q.value, pq.value) + is_underflown(r.value, s.value, rs.value);
   }
 }

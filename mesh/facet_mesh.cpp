@@ -10,21 +10,16 @@
 #include "base/expansion.h"
 #include "base/large_pages.h"
 #include "mesh/facet_crosses.h"
+#include "mesh/product_difference.h"
 
 namespace lrcs {
 namespace {
 
 // p q - r s.
 double difference_of_products(Unrounded p, Unrounded q, Unrounded r, Unrounded s) {
-  const Unrounded pq = product_of(p.value, q.value);
-  const Unrounded rs = product_of(r.value, s.value);
-  const Unrounded leading = sum_of(pq.value, -rs.value);
-  const double cross_terms = (p.value * q.error + p.error * q.value) - (r.value * s.error + r.error * s.value);
-  const double quick = leading.value + (leading.error + ((pq.error - rs.error) + cross_terms));
-  // The quick value is off by less than 2^-100 of the products; that is below half a unit of what cancelled less than
-  // this.
-  constexpr double worst_cancellation = 0x1p-46;
-  if (std::abs(quick) >= worst_cancellation * (std::abs(pq.value) + std::abs(rs.value))) return quick;
+  const auto [quick, least] =
+      product_difference(p, q, r, s, product_of(p.value, q.value), product_of(r.value, s.value));
+  if (std::abs(quick) >= least) return quick;
   Expansion<16> exact;
   for (const double a : {p.value, p.error})
     for (const double b : {q.value, q.error}) exact.add_product(a, b);

@@ -140,21 +140,21 @@ bool is_scalar(const PlyProperty& property) {
   return !property.count_type;
 }
 
-// 0, 1 or 2: the property is x, y or z; else 3.
-std::size_t axis_of(const PlyProperty& property) {
-  if (property.name.size() != 1 || !is_scalar(property)) return 3;
-  return std::min<std::size_t>(std::string_view("xyz").find(property.name), 3);
-}
+using AxisNames = std::array<std::string_view, 3>;
+constexpr AxisNames position_names{"x", "y", "z"}, normal_names{"nx", "ny", "nz"};
 
-constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, normal_names{"nx", "ny", "nz"};
+// 0, 1 or 2: the property is a number and has the name of that axis; else 3.
+std::size_t axis_of(const PlyProperty& property, const AxisNames& names) {
+  if (!is_scalar(property)) return 3;
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), property.name) - names.begin());
+}
 
 // The rows of element vertex: positions, and normals where they are wanted.
 class Vertices {
  public:
   Vertices(const PlyElement& element, MeshBuilder& builder, FileNormals* normals)
       : element_(element), builder_(builder), normals_(normals) {
-    for (const PlyProperty& property : element.properties)
-      meanings_.push_back(is_scalar(property) ? meaning_of(property.name) : Meaning{});
+    for (const PlyProperty& property : element.properties) meanings_.push_back(meaning_of(property));
   }
 
   template <class Rows>
@@ -183,11 +183,11 @@ class Vertices {
     Eigen::Index axis = 0;
   };
 
-  [[nodiscard]] Meaning meaning_of(std::string_view name) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (name == position_names[axis]) return {Of::position, static_cast<Eigen::Index>(axis)};
-      if (name == normal_names[axis] && normals_ != nullptr) return {Of::normal, static_cast<Eigen::Index>(axis)};
-    }
+  [[nodiscard]] Meaning meaning_of(const PlyProperty& property) const {
+    if (const std::size_t axis = axis_of(property, position_names); axis < 3)
+      return {Of::position, static_cast<Eigen::Index>(axis)};
+    if (const std::size_t axis = axis_of(property, normal_names); axis < 3 && normals_ != nullptr)
+      return {Of::normal, static_cast<Eigen::Index>(axis)};
     return {};
   }
 
@@ -316,7 +316,7 @@ std::optional<VertexLayout> vertex_layout(const PlyElement& element) {
   VertexLayout layout;
   for (const PlyProperty& property : element.properties) {
     if (!is_scalar(property)) return std::nullopt;
-    if (const std::size_t axis = axis_of(property); axis < 3) {
+    if (const std::size_t axis = axis_of(property, position_names); axis < 3) {
       layout.at[axis] = layout.size;
       layout.type[axis] = property.type;
     }
