@@ -36,12 +36,10 @@ class Fitting {
     split_at_breaks();
     split_at_poles();
     waiting_ = edges();
-    // Each exchange on a bulging surface adds volume, so there is an end; rounding must not be what decides that.
-    for (std::size_t left = 50 * facets_.size(); left > 0 && !waiting_.empty(); --left) {
-      const Edge edge = waiting_.back();
-      waiting_.pop_back();
-      look_at(edge);
-    }
+    exchange_edges();
+    // An exchange may widen a facet at a pole.
+    constexpr int most_rounds = 4;
+    for (int round = 0; round < most_rounds && split_at_poles(); ++round) exchange_edges();
   }
 
  private:
@@ -89,9 +87,11 @@ class Fitting {
           if (const auto share = crossing(a, b, axis, at)) split(a, b, *share);
   }
 
-  void split_at_poles() {
+  // Whether there was anything to split.
+  bool split_at_poles() {
     constexpr double widest = 0.25;  // [rad]
     constexpr int most_rounds = 6;   // each halves the angle
+    bool has_split = false;
     for (int round = 0; round < most_rounds; ++round) {
       std::vector<Edge> wide;
       for (const auto& facet : facets_)
@@ -102,14 +102,15 @@ class Fitting {
           if (std::atan2(p.cross(q).norm(), p.dot(q)) > widest)
             wide.emplace_back(facet[(k + 1) % 3], facet[(k + 2) % 3]);
         }
-      for (const auto& [a, b] : wide) split(a, b, 0.5);
+      for (const auto& [a, b] : wide) has_split = split(a, b, 0.5) || has_split;
     }
+    return has_split;
   }
 
-  // Not at the face's rim.
-  void split(int a, int b, double share) {
+  // Not at the face's rim: then false.
+  bool split(int a, int b, double share) {
     const auto one = across_.find({a, b}), other = across_.find({b, a});
-    if (one == across_.end() || other == across_.end()) return;
+    if (one == across_.end() || other == across_.end()) return false;
     const std::size_t left = one->second, right = other->second;
     const int c = opposite(left, a, b), d = opposite(right, a, b), m = static_cast<int>(nodes_.size());
     const Uv uv = node(a).uv + share * (node(b).uv - node(a).uv);
@@ -122,6 +123,10 @@ class Fitting {
     facets_.push_back({m, b, c});
     facets_.push_back({m, a, d});
     for (const std::size_t f : {left, right, facets_.size() - 2, facets_.size() - 1}) enter(f);
+    for (const Edge& edge :
+         {Edge{a, m}, Edge{m, b}, Edge{m, c}, Edge{m, d}, Edge{a, c}, Edge{c, b}, Edge{b, d}, Edge{d, a}})
+      waiting_.push_back(edge);
+    return true;
   }
 
   [[nodiscard]] bool crosses_break(int a, int b) const {
@@ -142,6 +147,15 @@ class Fitting {
     for (const int k : facets_[facet])
       if (k != a && k != b) return k;
     return a;
+  }
+
+  // Each exchange on a bulging surface adds volume, so there is an end; rounding must not be what decides that.
+  void exchange_edges() {
+    for (std::size_t left = 50 * facets_.size(); left > 0 && !waiting_.empty(); --left) {
+      const Edge edge = waiting_.back();
+      waiting_.pop_back();
+      look_at(edge);
+    }
   }
 
   void look_at(const Edge& edge) {

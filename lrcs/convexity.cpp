@@ -10,17 +10,22 @@
 namespace lrcs {
 namespace {
 
-// Does a facet of the mesh as given certainly have a corner of another before it? Looks at a few facets only.
-bool has_something_before_a_facet(const FacetMesh& mesh) {
+// Do facets of the mesh as given certainly have a corner of another before them? Looks at a few facets only. On a
+// curved surface one alone may, beside a seam.
+bool has_something_before_its_facets(const FacetMesh& mesh) {
   constexpr std::size_t looked_at = 8;
+  std::size_t alone = mesh.curved.patches.empty() ? 0 : 1;
   for (std::size_t k = 0; k < looked_at; ++k) {
     const auto [a, b, c] = mesh.corners(k * mesh.size() / looked_at);
     const Vec3 cross = facet_cross(a, b, c);
-    for (const auto& facet : mesh.facets)
-      for (const std::uint32_t v : facet) {
-        const Vec3 terms = (mesh.positions[v] - a).cwiseProduct(cross);
-        if (terms.sum() > 16.0 * unit_roundoff * terms.lpNorm<1>()) return true;
-      }
+    const auto is_before = [&, a = a](std::uint32_t v) {
+      const Vec3 terms = (mesh.positions[v] - a).cwiseProduct(cross);
+      return terms.sum() > 16.0 * unit_roundoff * terms.lpNorm<1>();
+    };
+    if (std::ranges::none_of(mesh.facets, [&](const auto& facet) { return std::ranges::any_of(facet, is_before); }))
+      continue;
+    if (alone == 0) return true;
+    --alone;
   }
   return false;
 }
@@ -50,10 +55,12 @@ class ConvexityCheck {
   }
 
   // The facet's corner that is not at the edge.
-  [[nodiscard]] const Vec3& opposite(std::uint32_t facet, const OccluderEdges::Edge& edge) const {
+  [[nodiscard]] std::uint32_t other_corner(std::uint32_t facet, const OccluderEdges::Edge& edge) const {
     const auto& c = occluders_.facets[facet];
-    const auto at_edge = [&](std::uint32_t v) { return v == edge.low || v == edge.high; };
-    return occluders_.positions[*std::find_if_not(c.begin(), c.end(), at_edge)];
+    return *std::ranges::find_if_not(c, [&](std::uint32_t v) { return v == edge.low || v == edge.high; });
+  }
+  [[nodiscard]] const Vec3& opposite(std::uint32_t facet, const OccluderEdges::Edge& edge) const {
+    return occluders_.positions[other_corner(facet, edge)];
   }
 
   [[nodiscard]] bool bends_back_at_every_edge() const {
@@ -66,7 +73,31 @@ class ConvexityCheck {
     const auto uses = edges_.facets_at(edge);
     if (uses.size() != 2 || uses[0].rising == uses[1].rising) return false;
     // The same for both facets there.
-    return uses[0].facet != facet || side(facet, opposite(uses[1].facet, edges_.edges()[edge])) <= 0;
+    return uses[0].facet != facet || side(facet, opposite(uses[1].facet, edges_.edges()[edge])) <= 0 ||
+           surface_bends_back(facet, uses[1].facet, edges_.edges()[edge]);
+  }
+  // Of curved surfaces, which the edge's facets stand for: smooth there, and its normals turn apart across the edge.
+  // Where the diagonal that the facets do not share passes the edge, it may stand over it by what the surface does.
+  [[nodiscard]] bool surface_bends_back(std::uint32_t facet, std::uint32_t other,
+                                        const OccluderEdges::Edge& edge) const {
+    if (occluders_.corner_normals.empty() || !is_smooth_at(facet, other, edge.low) ||
+        !is_smooth_at(facet, other, edge.high))
+      return false;
+    const Vec3 &low = occluders_.positions[edge.low], &high = occluders_.positions[edge.high];
+    const Vec3 apart = normal_at(other, other_corner(other, edge)) - normal_at(facet, other_corner(facet, edge));
+    const double rise = (normal_at(facet, edge.high) - normal_at(facet, edge.low)).dot(high - low) / 8.0;
+    const double own = occluders_.cross[facet].stableNorm(), beyond = occluders_.cross[other].stableNorm();
+    const double over = (occluders_.cross[facet] / own).dot(opposite(other, edge) - low) * own / (own + beyond);
+    constexpr double third_order = 1.5;  // what is said here is right to second order in the facets' size
+    return apart.dot(opposite(other, edge) - opposite(facet, edge)) > 0.0 && over <= third_order * rise;
+  }
+  [[nodiscard]] bool is_smooth_at(std::uint32_t facet, std::uint32_t other, std::uint32_t vertex) const {
+    constexpr double smooth = 0.9998;  // within a degree
+    return normal_at(facet, vertex).dot(normal_at(other, vertex)) > smooth;
+  }
+  [[nodiscard]] const Vec3& normal_at(std::uint32_t facet, std::uint32_t vertex) const {
+    const auto& c = occluders_.facets[facet];
+    return occluders_.corner_normals[facet][static_cast<std::size_t>(std::ranges::find(c, vertex) - c.begin())];
   }
 
   [[nodiscard]] bool has_its_middle_behind_every_facet() const {
@@ -97,7 +128,7 @@ class ConvexityCheck {
 }  // namespace
 
 bool is_convex_body(const FacetMesh& mesh) {
-  if (mesh.size() < 4 || has_something_before_a_facet(mesh)) return false;
+  if (mesh.size() < 4 || has_something_before_its_facets(mesh)) return false;
   const Occluders occluders(mesh);
   std::vector<std::uint32_t> all(occluders.size());
   std::iota(all.begin(), all.end(), 0U);

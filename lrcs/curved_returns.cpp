@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -27,6 +28,22 @@ struct Polygon {
   std::size_t size = 0;
 
   void add(const Corner& corner) { corners[size++] = corner; }
+
+  [[nodiscard]] const Corner& after(std::size_t corner, std::size_t steps) const {
+    return corners[(corner + steps) % size];
+  }
+
+  // The corner that all others are in sight of: the most reflex one, a bend, if there is one.
+  [[nodiscard]] std::size_t most_reflex() const {
+    std::size_t most = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < size; ++k) {
+      const auto &a = after(k, size - 1).at, &b = corners[k].at, &c = after(k, 1).at;
+      const double turn = (b[1] - a[1]) * (c[2] - b[2]) - (b[2] - a[2]) * (c[1] - b[1]);
+      if (turn < least) least = turn, most = k;
+    }
+    return most;
+  }
 };
 
 Corner between(const Corner& a, const Corner& b, double share) {
@@ -395,9 +412,10 @@ class Looking {
       for (const std::size_t corner : quarter) polygon.add(corners[corner]);
       polygon = sight.cut(polygon, &Corner::facing_i);
       if (!retro_) polygon = sight.cut(polygon, &Corner::facing_r);
+      const std::size_t from = polygon.most_reflex();
       for (std::size_t k = 2; k < polygon.size; ++k)
-        add(surface.part({polygon.corners[0].at, polygon.corners[k - 1].at, polygon.corners[k].at}), side, reflection,
-            sum, {});
+        add(surface.part({polygon.corners[from].at, polygon.after(from, k - 1).at, polygon.after(from, k).at}), side,
+            reflection, sum, {});
     }
     // The line is interpolated: off by a part of the facet of second order in how far the facet turns.
     sum.bound += facet.spread * facet.spread * std::abs(sum.returned);

@@ -22,7 +22,7 @@ bool turn_to_front(std::array<Vec3, 3>& normals, const Vec3& front) {
 }
 
 std::string face_of(const FacetMesh& mesh, std::uint32_t facet) {
-  return fmt::format("face {} of the file (from 0)", mesh.source_facet[facet]);
+  return fmt::format("face {} as read (from 0)", mesh.source_facet[facet]);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ Vec3 FileNormals::unit(std::uint32_t number, std::uint32_t face, const std::stri
   const double length = n.stableNorm();
   if (length > 0.0 && std::isfinite(length)) return n.stableNormalized();
   throw InputError(Place{file, lines_.empty() ? 0 : lines_[number]},
-                   fmt::format("normal {} of the file (from 0), which its face {} has, is ({}, {}, {}), expected a "
+                   fmt::format("normal {} as read (from 0), which its face {} has, is ({}, {}, {}), expected a "
                                "length above 0",
                                number, face, n.x(), n.y(), n.z()));
 }

@@ -18,7 +18,7 @@ struct BezierTriangle {
 Vec3 control_point(const Vec3& from, const Vec3& to, const Vec3& normal) {
   const Vec3 chord = to - from;
   const Vec3 tangent = chord - chord.dot(normal) * normal;
-  const double cosine = tangent.norm() / chord.norm();
+  const double cosine = tangent.stableNorm() / chord.stableNorm();
   return from + tangent * (2.0 / (3.0 * cosine * (1.0 + cosine)));
 }
 
@@ -49,7 +49,7 @@ CurvedPatch patch_of(const BezierTriangle& t, const Vec3& fallback) {
     const auto& at = patch_rule().at[p];
     const Vec3 by_first = derivative(t, at, 0);
     const Vec3 vector = 0.5 * (derivative(t, at, 1) - by_first).cross(derivative(t, at, 2) - by_first);
-    patch.area[p] = vector.norm();
+    patch.area[p] = vector.stableNorm();
     patch.normal[p] = patch.area[p] > 0.0 ? Vec3(vector / patch.area[p]) : fallback;
   }
   return patch;

@@ -50,9 +50,10 @@ std::uint32_t number_of(const TextScanner& scanner, std::string_view word, const
 // Behind the second slash: of "7//3" or "-1/2/3".
 std::string_view normal_word(const TextScanner& scanner, std::string_view word) {
   const std::size_t slash = word.find('/', std::min(word.find('/'), word.size() - 1) + 1);
-  if (slash == std::string_view::npos || slash + 1 == word.size())
+  const std::string_view normal = slash < word.size() ? word.substr(slash + 1) : "";
+  if (normal.empty() || normal.find('/') != std::string_view::npos)
     scanner.fail_expected("a vertex with its normal, v//vn or v/vt/vn", word);
-  return word.substr(slash + 1);
+  return normal;
 }
 
 class Faces {

@@ -199,13 +199,12 @@ TEST_F(FileNormalsOf, ThatAreNoneAreAnErrorWithTheirPlace) {
   VertexMesh own = unwelded(ball_with_normals(0, 0.0));
   own.normals[7] = Vec3::Zero();
   const std::string expected =
-      ": normal 7 of the file (from 0), which its face 2 has, is (0, 0, 0), expected a length above 0";
+      ": normal 7 as read (from 0), which its face 2 has, is (0, 0, 0), expected a length above 0";
   EXPECT_EQ(complaint_about("a.vtp", vtp(own)), "a.vtp" + expected);
   EXPECT_EQ(complaint_about("a.gltf", gltf(own)), "a.gltf" + expected);
   own.normals[7] = Vec3(0.0, 0.0, NAN);
-  EXPECT_EQ(
-      complaint_about("a.gltf", gltf(own)),
-      "a.gltf: normal 7 of the file (from 0), which its face 2 has, is (nan, nan, nan), expected a length above 0");
+  EXPECT_EQ(complaint_about("a.gltf", gltf(own)),
+            "a.gltf: normal 7 as read (from 0), which its face 2 has, is (nan, nan, nan), expected a length above 0");
   std::string shorts = gltf(own);
   shorts.replace(shorts.find(R"("bufferView": 1, "componentType": 5126)"), 38,
                  R"("bufferView": 1, "componentType": 5122)");

@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "mesh/normal_patches.h"
 #include "tests/lrcs/test_targets.h"
 
 namespace lrcs {
@@ -103,6 +104,35 @@ TEST(IsConvexBody, FailsForWhatIsOpenInwardDentedOrNotOneBody) {
 }
 
 // Every edge bends back and the middle is behind every facet, and yet the surface goes round twice and meets itself.
+// A ball whose normals are its own, two facets of which share the wrong diagonal and so bend forward.
+FacetMesh ball_with_a_forward_bend(double of_the_radius = 1.0) {
+  FacetMesh ball = icosphere(3);
+  auto& [a, b, c] = ball.facets[0];
+  const auto beside = std::ranges::find_if(ball.facets.begin() + 1, ball.facets.end(), [&](const auto& f) {
+    return std::ranges::find(f, a) != f.end() && std::ranges::find(f, b) != f.end();
+  });
+  const std::uint32_t d = *std::ranges::find_if(*beside, [&](std::uint32_t v) { return v != a && v != b; });
+  *beside = {d, b, c};
+  b = d;
+  CornerNormals normals;
+  for (const auto& f : ball.facets)
+    normals.push_back(
+        {ball.positions[f[0]].normalized(), ball.positions[f[1]].normalized(), ball.positions[f[2]].normalized()});
+  ball.positions[d] *= of_the_radius;
+  measure_facets(ball);
+  curve_by_normals(ball, normals);
+  return ball;
+}
+
+TEST(IsConvexBody, HoldsForACurvedBodyWhoseFacetsBendForwardWhereItsSurfaceDoesNot) {
+  FacetMesh ball = ball_with_a_forward_bend();
+  ASSERT_FALSE(ball.curved.patches.empty());
+  EXPECT_TRUE(is_convex_body(ball));
+  ball.curved = {};
+  EXPECT_FALSE(is_convex_body(ball));
+  EXPECT_FALSE(is_convex_body(ball_with_a_forward_bend(0.8)));  // whatever its normals say
+}
+
 TEST(IsConvexBody, FailsForAStarWoundTwice) {
   EXPECT_FALSE(is_convex_body(bipyramid(5, 2)));
   EXPECT_FALSE(is_convex_body(bipyramid(7, 3)));

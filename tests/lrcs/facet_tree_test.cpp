@@ -64,16 +64,15 @@ TEST(FacetTree, PartsAnyNumberOfFacets) {
 }
 
 TEST(FacetTree, IsTheSameOnAnyNumberOfThreadsAndAtAnySize) {
+  // Powers of two: the coordinates are the same but for their exponents.
   std::vector<std::uint32_t> original;
   for (const std::size_t threads : {1, 2, 5})
-    for (const double size : {1.0, 1e-30, 1e80}) {
+    for (const double size : {1.0, 0x1p-100, 0x1p266}) {
       const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
       const Occluders occluders(cloud(20000, size));
       expect_tree(FacetTree(occluders), occluders);
       if (original.empty()) original = occluders.original;
-      if (size == 1.0) {
-        EXPECT_EQ(occluders.original, original);
-      }
+      EXPECT_EQ(occluders.original, original) << threads << " threads, size " << size;
     }
 }
 
@@ -90,6 +89,34 @@ TEST(SpaceOrder, IsAPermutationWhateverThePoints) {
       std::sort(order.begin(), order.end());
       for (std::uint32_t k = 0; k < count; ++k) ASSERT_EQ(order[k], k);
     }
+  }
+}
+
+// The sum of the longest sides of the boxes of all leaves but the last, which may hold a point from afar.
+double leaf_sides(const std::vector<Vec3>& points) {
+  const auto order = space_order(points);
+  const auto sides_below = [&](const auto& self, std::uint32_t first, std::uint32_t last) -> double {
+    if (last - first > space_leaf)
+      return self(self, first, middle_of(first, last)) + self(self, middle_of(first, last), last);
+    Box3 box{points[order[first]], points[order[first]]};
+    for (std::uint32_t k = first; k < last; ++k) {
+      box.low = box.low.cwiseMin(points[order[k]]);
+      box.high = box.high.cwiseMax(points[order[k]]);
+    }
+    return last == points.size() ? 0.0 : (box.high - box.low).maxCoeff();
+  };
+  return sides_below(sides_below, 0, static_cast<std::uint32_t>(points.size()));
+}
+
+TEST(SpaceOrder, IsNearlyAsCompactBesideAPointFarFromAllOthers) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 4096; ++k) points.emplace_back(unit(random), unit(random), unit(random));
+  const double near = leaf_sides(points);
+  for (const double far : {1e3, 1e9, 1e12, 1e200}) {
+    points.back() = Vec3(far, far, far);
+    EXPECT_LT(leaf_sides(points), 1.25 * near) << far;
   }
 }
 

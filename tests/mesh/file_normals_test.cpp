@@ -160,7 +160,7 @@ TEST(FileNormals, LeaveTheFrontToTheWinding) {
   const std::string against = "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nvn -0.1 0 -1\nvn 0 -0.2 -2\nvn 0 0 -3\n";
   const Curved read = curved_by_file("a.obj", against + "f 1//1 2//2 3//3\n");
   EXPECT_THAT(read.warnings,
-              ElementsAre("1 of 1 facets are wound against their normals, first face 0 of the file (from 0): which "
+              ElementsAre("1 of 1 facets are wound against their normals, first face 0 as read (from 0): which "
                           "side is the front is told by the winding, the normals only bend"));
   expect_same_patches(read.mesh, with.mesh, "against");
 }
@@ -168,7 +168,7 @@ TEST(FileNormals, LeaveTheFrontToTheWinding) {
 TEST(FileNormals, LeaveFacetsFlatThatTheyAreTooFarOff) {
   const Curved read = curved_by_file("a.obj", fold + "vn 2 0 1\nf 1//1 2//2 3//3\nf 1//1 3//5 4//4\n");
   EXPECT_THAT(read.warnings, ElementsAre("1 facets stay flat: a normal in the file is more than 60 deg off them, "
-                                         "first face 1 of the file (from 0)"));
+                                         "first face 1 as read (from 0)"));
   EXPECT_THAT(read.mesh.curved.of, ElementsAre(0U, CurvedFacets::flat));
   // Some to the front and some to the back.
   EXPECT_EQ(curved_by_file("a.obj", fold + "vn 0 0 -1\nf 1//1 2//2 3//3\nf 1//1 3//5 4//4\n").mesh.curved.of,
@@ -187,7 +187,7 @@ TEST(FileNormals, WithoutALengthMatterOnlyWhereAFacetHasThem) {
   EXPECT_EQ(complaint_about_normals("a.obj", fold + zero + "f 1//1 2//2 3//3\n"), "");
   EXPECT_EQ(complaint_about_normals("a.obj", fold + zero + "f 1//5 1//5 2//5\nf 1//1 2//2 3//3\n"), "");
   EXPECT_EQ(complaint_about_normals("a.obj", fold + zero + "f 1//1 2//2 3//3\nf 1//1 3//5 4//4\n"),
-            "a.obj:9: normal 4 of the file (from 0), which its face 1 has, is (0, 0, 0), expected a length above 0");
+            "a.obj:9: normal 4 as read (from 0), which its face 1 has, is (0, 0, 0), expected a length above 0");
 }
 
 struct BadFile {
@@ -213,6 +213,8 @@ TEST(FileNormals, ThatAreMissingOrWrongAreAnErrorWithItsPlace) {
       {"a.obj", obj(ball.mesh), "a.obj:14:3: expected a vertex with its normal, v//vn or v/vt/vn, found '1'"},
       {"a.obj", triangle + "f 1//1 2//1 3/1\n",
        "a.obj:5:13: expected a vertex with its normal, v//vn or v/vt/vn, found '3/1'"},
+      {"a.obj", triangle + "f 1//1 2//1 3/1/1/1\n",
+       "a.obj:5:13: expected a vertex with its normal, v//vn or v/vt/vn, found '3/1/1/1'"},
       {"a.obj", triangle + "f 1//1 2//1 3/1/\n",
        "a.obj:5:13: expected a vertex with its normal, v//vn or v/vt/vn, found '3/1/'"},
       {"a.obj", triangle + "f 1//1 2//1 3//2\n", "a.obj:5:13: normal 2 does not exist, the file has 1"},
@@ -232,9 +234,9 @@ TEST(FileNormals, ThatAreMissingOrWrongAreAnErrorWithItsPlace) {
       {"a.ply", ply_head + normal_properties + ply_tail + "0 0 0 0 0 1\n1 0 0 0 inf 1\n0 1 0 0 0 1\n3 0 1 2\n",
        "a.ply:14:9: expected a finite number, found 'inf'"},
       {"a.ply", ply_head + normal_properties + ply_tail + "0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n",
-       "a.ply:14: normal 1 of the file (from 0), which its face 0 has, is (0, 0, 0), expected a length above 0"},
+       "a.ply:14: normal 1 as read (from 0), which its face 0 has, is (0, 0, 0), expected a length above 0"},
       {"a.ply", ply(nan, "binary_little_endian"),
-       "a.ply: normal 4 of the file (from 0), which its face 1 has, is (0, nan, 0), expected a length above 0"}};
+       "a.ply: normal 4 as read (from 0), which its face 1 has, is (0, nan, 0), expected a length above 0"}};
   for (const BadFile& bad : files) EXPECT_EQ(complaint_about_normals(bad.name, bad.content), bad.complaint);
 }
 

@@ -70,6 +70,20 @@ TEST(NormalPatches, LeaveAMeshOfCreasesAsItIs) {
   EXPECT_TRUE(mesh.curved.of.empty());
 }
 
+TEST(NormalPatches, AreFiniteOnSidesTheSquaresOfWhichAreNot) {
+  for (const double side : {1e-170, 1e-300}) {
+    FacetMesh mesh = mesh_of({{0, 0, 0}, {side, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    // Those of an arc along its long sides.
+    curve_by_normals(mesh, CornerNormals(1, {Vec3(0, -0.28, 0.96), Vec3(0, -0.28, 0.96), Vec3(0, 0.28, 0.96)}));
+    ASSERT_EQ(mesh.curved.patches.size(), 1U);
+    for (std::size_t p = 0; p < PatchRule::size; ++p) {
+      EXPECT_TRUE(mesh.curved.patches[0].normal[p].allFinite());
+      EXPECT_LT(mesh.curved.patches[0].area[p],
+                1e-3);  // of its long sides squared: the model bends a needle's middle apart
+    }
+  }
+}
+
 TEST(NormalPatches, SayWhichNormalsAreOfNoUse) {
   FacetMesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
   CornerNormals normals(2, {Vec3(0, 0, 1), Vec3(0, 0.6, 0.8), Vec3(0, 0, 1)});
