@@ -50,7 +50,7 @@ bool is_near(const CurvedPatch& patch, const Vec3& flat, const std::array<Vec3, 
 bool is_finite(const CurvedPatch& patch) {
   for (std::size_t k = 0; k < PatchRule::size; ++k)
     if (!(std::isfinite(patch.area[k]) && patch.normal[k].allFinite())) return false;
-  return true;
+  return std::ranges::all_of(patch.sagitta, [](const Vec3& sagitta) { return sagitta.allFinite(); });
 }
 
 }  // namespace
@@ -225,6 +225,16 @@ std::optional<CurvedPatch> CurvedFace::patch(int a, int b, int c, const std::arr
     const double stretch = normal.norm();
     patch.normal[k] = (turned_ ? -normal : normal) / stretch;
     patch.area[k] = plane ? plane_area(nodes) * stretch : 0.5 * stretch * cross(mapped.by_first, mapped.by_second);
+  }
+  // A plane's facets count evenly, its rim's curves included.
+  for (std::size_t k = 0; k < 3 && !plane; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    std::array<double, 3> place{};
+    place[k] = place[next] = 0.5;
+    if (turned_) std::swap(place[1], place[2]);
+    const Uv at = (poles == 1 ? map_at_pole(nodes, pole, place) : map(nodes, place)).at;
+    const gp_Pnt p = surface_.Value(at.x(), at.y());
+    patch.sagitta[k] = Vec3(p.X(), p.Y(), p.Z()) - 0.5 * (corners[k] + corners[next]);
   }
   if (poles == 1) {
     // However wide the facet is at the pole, its area is right.

@@ -101,7 +101,6 @@ void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetP
   };
   const double at_low = beside(edge.bend.at_low), at_high = beside(edge.bend.at_high);
   const FacetRise own(surface_->occluders, facet_);
-  const double rising = beside(own.normal);
   for (std::size_t k = first; k < edges_.size(); ++k) {
     LayerEdge& piece = edges_[k];
     // Not the lines that stand for what lies left of the facet.
@@ -111,7 +110,7 @@ void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetP
     const auto at = [&](double share) {
       const double u = piece.u0 + share * (piece.u1 - piece.u0), v = piece.v0 + share * (piece.v1 - piece.v0);
       const double along = in_v ? (u - low.u) / run : (v - low.v) / rise;
-      return at_low + along * (at_high - at_low) - rising * own.at(u, v);
+      return at_low + along * (at_high - at_low) - beside(own.at(u, v));
     };
     // The line with the same area beside the piece, from where it comes over the facet to where it leaves it.
     const double begin = at(over.from), middle = at(0.5 * (over.from + over.to)), end = at(over.to);

@@ -22,16 +22,21 @@ void for_ranges(std::size_t count, const Work& work) {
                     [&](const auto& range) { work(range.begin(), range.end()); });
 }
 
-// Powers of two are exact. What no facet uses says nothing of the size.
-void scale_to_unit_size(std::vector<Vec3>& positions, const FacetMesh& mesh) {
+// A power of two, exactly; in two steps, of which each is a double whatever the size.
+struct Scale {
+  double half = 1.0, rest = 1.0;
+
+  [[nodiscard]] Vec3 of(const Vec3& length) const { return (length * half) * rest; }
+};
+
+// To unit size. What no facet uses says nothing of the size.
+Scale scale_of(const FacetMesh& mesh) {
   double size = 0.0;
   for (const auto& facet : mesh.facets)
     for (const std::uint32_t v : facet) size = std::max(size, mesh.positions[v].cwiseAbs().maxCoeff());
-  if (size == 0.0) return;
+  if (size == 0.0) return {};
   const int exponent = std::ilogb(size);
-  // In two steps, of which each is a double whatever the size.
-  const double half = std::ldexp(1.0, -exponent / 2), rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-  for (Vec3& p : positions) p = (p * half) * rest;
+  return {std::ldexp(1.0, -exponent / 2), std::ldexp(1.0, -exponent - (-exponent / 2))};
 }
 
 std::array<Vec3, 3> normals_at_corners(const FacetMesh& mesh, std::uint32_t facet, const Vec3& cross) {
@@ -80,6 +85,7 @@ Occluders::Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept
     facets.push_back(all.facets[f]);
     cross.push_back(all.cross[f]);
     if (!all.corner_normals.empty()) corner_normals.push_back(all.corner_normals[f]);
+    if (!all.sagittas.empty()) sagittas.push_back(all.sagittas[f]);
     if (!all.first_corner.empty()) first_corner.push_back(all.first_corner[f]);
     original.push_back(all.original[f]);
   }
@@ -89,7 +95,8 @@ Occluders::Occluders(const Occluders& all, const std::vector<std::uint8_t>& kept
 void Occluders::take_facets(const FacetMesh& mesh) {
   for (Vec3& p : positions) p += Vec3::Zero();  // zero has one sign
   const auto vertex = keep_different(positions);
-  scale_to_unit_size(positions, mesh);
+  const Scale scale = scale_of(mesh);
+  for (Vec3& p : positions) p = scale.of(p);
   facets = large_vector<std::array<std::uint32_t, 3>>(mesh.size());
   cross = large_vector<Vec3>(mesh.size());
   const bool curved = !mesh.curved.of.empty();
@@ -108,6 +115,12 @@ void Occluders::take_facets(const FacetMesh& mesh) {
   for (std::size_t k = 0; k < size(); ++k) {
     auto& normals = corner_normals.emplace_back(normals_at_corners(mesh, original[k], cross[k]));
     std::rotate(normals.begin(), normals.begin() + first_corner[k], normals.end());
+    auto& sides = sagittas.emplace_back();
+    sides.fill(Vec3::Zero());
+    const std::uint32_t patch = mesh.curved.of[original[k]];
+    if (patch == CurvedFacets::flat) continue;
+    for (std::size_t side = 0; side < 3; ++side)
+      sides[side] = scale.of(mesh.curved.patches[patch].sagitta[(side + first_corner[k]) % 3]);
   }
 }
 
@@ -139,6 +152,7 @@ void Occluders::order_facets() {
   permute(cross, order);
   permute(original, order);
   if (!corner_normals.empty()) permute(corner_normals, order);
+  if (!sagittas.empty()) permute(sagittas, order);
   if (!first_corner.empty()) permute(first_corner, order);
 }
 

@@ -20,7 +20,8 @@ struct Occluders {
   std::vector<std::uint32_t> original;  // number of the facet in the mesh
   // Of the true surface at the facet's corners, unit; empty where the mesh has no curved facets.
   std::vector<std::array<Vec3, 3>> corner_normals;
-  std::vector<std::uint8_t> first_corner;  // the mesh facet's corner that comes first here; empty with the normals
+  std::vector<std::array<Vec3, 3>> sagittas;  // of the sides from corner k to corner k + 1; empty with the normals
+  std::vector<std::uint8_t> first_corner;     // the mesh facet's corner that comes first here; empty with the normals
   Vec3 centre = Vec3::Zero();
 
   explicit Occluders(const FacetMesh& mesh);

@@ -165,7 +165,7 @@ Estimate Visibility::Scratch::clipped(std::uint32_t facet) {
     const auto& e = surface.occluders;
     double most = 0.0, reach = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      most = std::max(most, std::abs(rise.sagittas[k]));
+      most = std::max(most, rise.sagittas[k].norm());
       reach = std::max(reach, (e.positions[e.facets[facet][(k + 1) % 3]] - e.positions[e.facets[facet][k]]).norm());
     }
     seen.bound = std::min(1.0, seen.bound + 8.0 * most * reach / e.cross[facet].norm());

@@ -31,8 +31,10 @@ void place_in_body_frame(FacetMesh& mesh, double metres_per_unit, const std::str
   // The sums have one non-zero term, so they are exact, and 0.0 turns the -0.0 of a flipped axis into 0.0.
   const auto place = [&](Vec3& p) { p = Vec3(p.dot(x) + 0.0, p.dot(y) + 0.0, p.dot(z) + 0.0); };
   for (Vec3& p : mesh.positions) place(p);
-  for (CurvedPatch& patch : mesh.curved.patches)
+  for (CurvedPatch& patch : mesh.curved.patches) {
     for (Vec3& normal : patch.normal) place(normal);
+    for (Vec3& sagitta : patch.sagitta) place(sagitta);
+  }
   mesh.metres_per_unit = metres_per_unit;
   measure_facets(mesh);
 }

@@ -60,6 +60,7 @@ const PatchRule& patch_rule() {
 }
 
 void turn_over(CurvedPatch& patch) {
+  std::swap(patch.sagitta[0], patch.sagitta[2]);
   for (Vec3& normal : patch.normal) normal = -normal;
   for (const std::size_t orbit : {1, 4}) {
     std::swap(patch.normal[orbit + 1], patch.normal[orbit + 2]);

@@ -23,6 +23,9 @@ struct PatchRule {
 struct CurvedPatch {
   std::array<Vec3, PatchRule::size> normal;  // unit
   std::array<double, PatchRule::size> area;  // [the mesh's unit, squared]
+  // From the middle of the side from corner k to corner k + 1 to the place on the surface that it stands for, which
+  // lies over it and beside it; of parts of a patch not known: zero. [the mesh's unit]
+  std::array<Vec3, 3> sagitta{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
 // Normals, and areas over the facet's, nearer to the flat facet's than this are the facet's: sigma does not change

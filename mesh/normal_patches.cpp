@@ -52,6 +52,10 @@ CurvedPatch patch_of(const BezierTriangle& t, const Vec3& fallback) {
     patch.area[p] = vector.stableNorm();
     patch.normal[p] = patch.area[p] > 0.0 ? Vec3(vector / patch.area[p]) : fallback;
   }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    patch.sagitta[j] = 0.375 * (t.side[j][k] + t.side[k][j] - t.corner[j] - t.corner[k]);
+  }
   return patch;
 }
 
