@@ -92,8 +92,7 @@ class ConvexityCheck {
     return apart.dot(opposite(other, edge) - opposite(facet, edge)) > 0.0 && over <= third_order * rise;
   }
   [[nodiscard]] bool is_smooth_at(std::uint32_t facet, std::uint32_t other, std::uint32_t vertex) const {
-    constexpr double smooth = 0.9998;  // within a degree
-    return normal_at(facet, vertex).dot(normal_at(other, vertex)) > smooth;
+    return normal_at(facet, vertex).dot(normal_at(other, vertex)) > Occluders::smooth;
   }
   [[nodiscard]] const Vec3& normal_at(std::uint32_t facet, std::uint32_t vertex) const {
     const auto& c = occluders_.facets[facet];

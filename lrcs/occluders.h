@@ -14,6 +14,9 @@ namespace lrcs {
 // Positions are the mesh's times a power of two that brings the target's size near 1, so they are exact, and products
 // of three lengths neither overflow nor vanish. `centre` is no corner of anything: a place in the middle of the target.
 struct Occluders {
+  // Cosine of what two facets' normals at a corner differ by at most where the surface goes on smoothly: a degree.
+  static constexpr double smooth = 0.9998;
+
   std::vector<Vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> facets;
   std::vector<Vec3> cross;              // facet_cross() of the corners: twice the area, along the front's normal

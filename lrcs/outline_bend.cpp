@@ -56,9 +56,8 @@ Vec3 to_fold(const Beside& one, const Beside& other, const Vec3& n, const Vec3& 
 OutlineBend outline_bend(const Occluders& occluders, const OccluderEdges::Edge& edge, const Vec3& toward) {
   const Beside one(occluders, edge.use[0] / 2, edge), other(occluders, edge.use[1] / 2, edge);
   const Vec3 &a = occluders.positions[edge.low], &b = occluders.positions[edge.high];
-  constexpr double smooth = 0.9998;  // within a degree
   Vec3 at_low = Vec3::Zero(), at_middle = Vec3::Zero(), at_high = Vec3::Zero();
-  if (one.low.dot(other.low) > smooth && one.high.dot(other.high) > smooth) {
+  if (one.low.dot(other.low) > Occluders::smooth && one.high.dot(other.high) > Occluders::smooth) {
     double reach = (b - a).norm();
     for (const Beside* facet : {&one, &other})
       for (const Vec3& corner : facet->at) reach = std::max(reach, (corner - a).norm());
