@@ -18,10 +18,6 @@ namespace {
 constexpr double m = 1000.0;  // [mm]
 constexpr double pi = std::numbers::pi;
 
-Aspect aspect(const AspectAngles& transmitter, const AspectAngles& receiver) {
-  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
-}
-
 CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const RoundSurface& surface, const Brdf& brdf,
                    const std::vector<Aspect>& aspects) {
   const ScratchFolder folder;
@@ -36,11 +32,11 @@ CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const Rou
 }  // namespace
 
 std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
-  const std::vector<Aspect> all_round{aspect({20, 35}, {20, 35}), aspect({77, -12}, {77, -12}),
-                                      aspect({200, 3}, {200, 3}), aspect({20, 35}, {60, 21}),
-                                      aspect({130, -40}, {75, 5})};
-  const std::vector<Aspect> from_above{aspect({40, 75}, {40, 75}), aspect({10, 62}, {10, 62}),
-                                       aspect({200, 68}, {200, 68}), aspect({40, 80}, {70, 65})};
+  const std::vector<Aspect> all_round{aspect_between({20, 35}, {20, 35}), aspect_between({77, -12}, {77, -12}),
+                                      aspect_between({200, 3}, {200, 3}), aspect_between({20, 35}, {60, 21}),
+                                      aspect_between({130, -40}, {75, 5})};
+  const std::vector<Aspect> from_above{aspect_between({40, 75}, {40, 75}), aspect_between({10, 62}, {10, 62}),
+                                       aspect_between({200, 68}, {200, 68}), aspect_between({40, 80}, {70, 65})};
   const RoundSurface tube{0, 1, [](double) { return Vec3(1, 1, 0); }, {{Vec3(0, 0, 1), pi}, {Vec3(0, 0, -1), pi}}};
   const RoundSurface cone{0, 1, [](double v) { return Vec3((1 - v) * Vec3(3, 3, 1)); }, {{Vec3(0, 0, -1), pi}}};
   return {body_of("sphere", BRepPrimAPI_MakeSphere(m).Shape(), ellipsoid_surface(1, 1, 1), brdf, all_round),

@@ -12,8 +12,8 @@ constexpr std::size_t width = std::size_t{tile} * tile;
 static_assert(width == packet_width);
 
 // The rays of one tile after another.
-struct Tile {
-  Tile(RTCScene scene_, const PixelGrid& grid_) : scene(scene_), grid(grid_) {
+struct TileRays {
+  TileRays(RTCScene scene_, const PixelGrid& grid_) : scene(scene_), grid(grid_) {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     aim(hits.ray, -grid.toward);
@@ -58,7 +58,7 @@ void RayGrid::cast(const Vec3& to_viewer, std::uint32_t pixels) {
   std::fill(pixels_.begin(), pixels_.end(), 0U);
   grid_ = grids_.over(to_viewer, pixels);
   const FlushDenormals flush;
-  Tile rays(scene_.scene(), grid_);
+  TileRays rays(scene_.scene(), grid_);
   for (std::uint32_t row = 0; row < grid_.rows; row += tile)
     for (std::uint32_t column = 0; column < grid_.columns; column += tile) {
       rays.cast(column, row);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-using Cell = std::array<std::int64_t, 3>;
+using GridCell = std::array<std::int64_t, 3>;
 
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
+struct GridCellHash {
+  std::size_t operator()(const GridCell& cell) const {
     std::uint64_t hash = 0;
     for (const std::int64_t k : cell) hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15U;
     return hash ^ (hash >> 32U);
@@ -44,13 +44,13 @@ class KnownPlaces {
   [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
 
  private:
-  [[nodiscard]] Cell cell_of(const Vec3& place) const {
+  [[nodiscard]] GridCell cell_of(const Vec3& place) const {
     const double width = 4.0 * tolerance_;
     const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / width)); };
     return {index(place.x()), index(place.y()), index(place.z())};
   }
 
-  [[nodiscard]] std::size_t near_in(const Cell& cell, const Vec3& place) const {
+  [[nodiscard]] std::size_t near_in(const GridCell& cell, const Vec3& place) const {
     const auto found = first_in_.find(cell);
     if (found == first_in_.end()) return none;
     for (std::size_t k = found->second; k != none; k = next_[k])
@@ -59,7 +59,7 @@ class KnownPlaces {
   }
 
   double tolerance_;
-  std::unordered_map<Cell, std::size_t, CellHash> first_in_;
+  std::unordered_map<GridCell, std::size_t, GridCellHash> first_in_;
   std::vector<Vec3> places_;
   std::vector<std::size_t> next_;  // in the same cell
 };

@@ -13,7 +13,7 @@
 namespace lrcs {
 namespace {
 
-struct Options {
+struct BrdfOptions {
   std::string material, theta_i = "0,30,60", step = "10";
   std::vector<std::string> compared;
   BrdfPictures pictures;
@@ -30,7 +30,7 @@ std::string table_of(const Material& material, const std::vector<double>& theta_
   }
 }
 
-void print_table(const Options& options, bool quiet) {
+void print_table(const BrdfOptions& options, bool quiet) {
   const Material material = material_from_argument(options.material);
   const auto theta_i_deg = angles_from_words(options.theta_i, "--theta-i", incidence_domain);
   const std::string table = table_of(material, theta_i_deg, options.step);
@@ -43,7 +43,7 @@ void print_table(const Options& options, bool quiet) {
     for (const auto& warning : brdf_warnings(material.brdf)) fmt::print(stderr, "lrcs: warning: {}\n", warning);
 }
 
-void add_picture_flags(CLI::App& brdf, Options& options) {
+void add_picture_flags(CLI::App& brdf, BrdfOptions& options) {
   brdf.add_option("-o,--output", options.pictures.curves, "Draw the curves into this PNG file");
   brdf.add_option("--shadowing", options.pictures.shadowing,
                   "Draw the shadowing function G into this PNG file (models that have one)");
@@ -57,7 +57,7 @@ void add_picture_flags(CLI::App& brdf, Options& options) {
 }  // namespace
 
 void add_brdf_commands(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BrdfOptions>();
   CLI::App* brdf = app.add_subcommand("brdf", "Table (stdout) and pictures of a material's BRDF");
   brdf->add_option("material", options->material, "lambert:REFLECTANCE, a library name, or a material file")
       ->required();

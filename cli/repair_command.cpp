@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t usual_hole_edges = 1000;
 
-struct Options {
+struct RepairOptions {
   std::string target, tolerance, output;
   TessellationFlags file;
   bool drop_opposite = false;
@@ -31,7 +31,7 @@ struct Options {
 };
 
 // [positions' unit]
-double tolerance_of(const Options& options, const TargetRead& read) {
+double tolerance_of(const RepairOptions& options, const TargetRead& read) {
   const Place place{"--tolerance"};
   if (options.tolerance.empty()) return usual_gap(read.mesh);
   double number = 0.0;
@@ -110,7 +110,7 @@ std::string unit_text(const TargetRead& read) {
   return read.unit.empty() ? "in the file's unit" : "in " + read.unit;
 }
 
-void run(const Options& options, bool quiet) {
+void run(const RepairOptions& options, bool quiet) {
   require_writable(options.output);
   Tessellation tessellation = options.file.tessellation();
   tessellation.curving.by = Curving::By::nothing;
@@ -138,7 +138,7 @@ void run(const Options& options, bool quiet) {
 }  // namespace
 
 void add_repair_command(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RepairOptions>();
   CLI::App* verb = app.add_subcommand("repair", "Mend a target's facets, and write them to a file");
   verb->add_option("target", options->target, "A file that info reads")->required();
   verb->add_option("-o,--output", options->output, "OBJ, PLY, OFF, STL or VTP file to write, in the target's unit")

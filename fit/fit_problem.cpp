@@ -58,7 +58,7 @@ double between(double low, double x, double high) {
 constexpr double parallel = 1e-14;
 
 // Non-negative least squares in two unknowns: the free solution, or the better of the two with one unknown at 0.
-std::array<double, 2> non_negative(const Products& p, double most_x, double most_y) {
+std::array<double, 2> non_negative_scales(const Products& p, double most_x, double most_y) {
   const double determinant = p.aa * p.bb - p.ab * p.ab;
   if (determinant > parallel * p.aa * p.bb) {
     const double x = (p.at * p.bb - p.bt * p.ab) / determinant;
@@ -128,7 +128,7 @@ class FormProblem final : public FitProblem {
       parameters[a] = between(0.0, p.at / p.aa, Form::parameters[a].most);
       return squares(p, parameters, parameters[a], 0.0);
     }
-    const auto [x, y] = non_negative(p, Form::parameters[a].most, Form::parameters[b].most);
+    const auto [x, y] = non_negative_scales(p, Form::parameters[a].most, Form::parameters[b].most);
     parameters[a] = x;
     parameters[b] = y;
     return squares(p, parameters, x, y);

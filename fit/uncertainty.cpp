@@ -23,7 +23,7 @@ constexpr double most_blind = 1e-6;       // of Inverse::blind, for a parameter 
 constexpr double rise_accuracy = 0.01;    // of the rise at the ends of an interval
 constexpr double far_valley = 5.0;  // rise of the squares in another valley over that at the ends of an interval: from
                                     // there on chance does not explain it, wherever noise is large
-constexpr double unlike = 0.1;      // [part of the search range] in some coordinate: another valley
+constexpr double other_valley = 0.1;     // [part of the search range] in some coordinate: another valley
 constexpr std::size_t most_valleys = 8;  // looked into
 constexpr double honest_rise = 1.8;  // squares rise at the ends of an interval by what is foretold within this factor
 
@@ -111,7 +111,7 @@ class Judge {
     const auto is_like = [&](const std::vector<double>& a, const std::vector<double>& b) {
       for (std::size_t k = 0; k < a.size(); ++k) {
         const FormParameter& p = problem_.parameters()[k];
-        if (!p.is_linear && std::abs(coordinate_of(p, a[k]) - coordinate_of(p, b[k])) > unlike) return false;
+        if (!p.is_linear && std::abs(coordinate_of(p, a[k]) - coordinate_of(p, b[k])) > other_valley) return false;
       }
       return true;
     };

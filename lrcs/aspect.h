@@ -11,6 +11,11 @@ struct Aspect {
   Vec3 to_transmitter, to_receiver;    // unit, body frame
 };
 
+// The aspect of two directions given by their angles.
+[[nodiscard]] inline Aspect aspect_between(const AspectAngles& transmitter, const AspectAngles& receiver) {
+  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
+}
+
 // Where the receiver stands while the transmitter sweeps.
 struct Receiver {
   enum class Kind { monostatic, fixed, bistatic };
@@ -26,7 +31,7 @@ struct Receiver {
 // laws: monostatic, and B = 0: to_receiver == to_transmitter, to the last bit.
 [[nodiscard]] inline Aspect aspect_of(const AspectAngles& transmitter, const Receiver& receiver) {
   const Vec3 di = direction_of(transmitter);
-  if (receiver.kind == Receiver::Kind::fixed) return {transmitter, receiver.fixed, di, direction_of(receiver.fixed)};
+  if (receiver.kind == Receiver::Kind::fixed) return aspect_between(transmitter, receiver.fixed);
   if (receiver.kind == Receiver::Kind::monostatic || receiver.bistatic_angle_deg == 0.0)
     return {transmitter, transmitter, di, di};
   const auto [cos_b, sin_b] = cos_sin_deg(receiver.bistatic_angle_deg);

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double unit = 0x1p-24;  // rounding of floats
 
-using In = const float* __restrict;
+using Floats = const float* __restrict;
 
 // out[k] is 0 for edges that certainly have nothing over the facet and in front of it. Comparisons with what is not a
 // number rule out nothing.
-LRCS_WIDE void look_at_edges(std::size_t count, In ax, In ay, In az, In bx, In by, In bz, const EdgeSieve::Facet facet,
-                             std::int32_t* __restrict out) {
+LRCS_WIDE void look_at_edges(std::size_t count, Floats ax, Floats ay, Floats az, Floats bx, Floats by, Floats bz,
+                             const EdgeSieve::Facet facet, std::int32_t* __restrict out) {
   const EdgeSieve::Facet f = facet;
   for (std::size_t first = 0; first < count; first += EdgeEnds::lanes)
     for (std::size_t k = first; k < first + EdgeEnds::lanes; ++k) {

@@ -7,11 +7,11 @@ namespace lrcs {
 namespace {
 
 // One of the two facets at an edge.
-struct Beside {
+struct FacetBeside {
   std::array<Vec3, 3> at, normal;  // of its corners
   Vec3 low, high;                  // normals at the edge's ends
 
-  Beside(const Occluders& occluders, std::uint32_t facet, const OccluderEdges::Edge& edge) {
+  FacetBeside(const Occluders& occluders, std::uint32_t facet, const OccluderEdges::Edge& edge) {
     normal = occluders.corner_normals[facet];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t vertex = occluders.facets[facet][k];
@@ -41,7 +41,7 @@ Vec3 across(const Vec3& v, const Vec3& toward) {
 }
 
 // Where the surface turns away from the viewer, from a place on it near to there.
-Vec3 to_fold(const Beside& one, const Beside& other, const Vec3& n, const Vec3& toward, double reach) {
+Vec3 to_fold(const FacetBeside& one, const FacetBeside& other, const Vec3& n, const Vec3& toward, double reach) {
   const double lean = n.dot(toward);
   const Vec3 along = toward - lean * n;
   const double curvature = 0.5 * (one.curvature(along) + other.curvature(along));
@@ -54,12 +54,12 @@ Vec3 to_fold(const Beside& one, const Beside& other, const Vec3& n, const Vec3& 
 }  // namespace
 
 OutlineBend outline_bend(const Occluders& occluders, const OccluderEdges::Edge& edge, const Vec3& toward) {
-  const Beside one(occluders, edge.use[0] / 2, edge), other(occluders, edge.use[1] / 2, edge);
+  const FacetBeside one(occluders, edge.use[0] / 2, edge), other(occluders, edge.use[1] / 2, edge);
   const Vec3 &a = occluders.positions[edge.low], &b = occluders.positions[edge.high];
   Vec3 at_low = Vec3::Zero(), at_middle = Vec3::Zero(), at_high = Vec3::Zero();
   if (one.low.dot(other.low) > Occluders::smooth && one.high.dot(other.high) > Occluders::smooth) {
     double reach = (b - a).norm();
-    for (const Beside* facet : {&one, &other})
+    for (const FacetBeside* facet : {&one, &other})
       for (const Vec3& corner : facet->at) reach = std::max(reach, (corner - a).norm());
     const Vec3 low = (one.low + other.low).normalized(), high = (one.high + other.high).normalized();
     const Vec3 middle = (low + high).normalized();

@@ -14,7 +14,7 @@ namespace lrcs {
 namespace {
 
 // A point on a grid of 2^32 steps along the longest side of a box around it and others.
-struct Place {
+struct NumberedPoint {
   std::array<std::uint32_t, 3> at;
   std::uint32_t number;
 
@@ -23,10 +23,10 @@ struct Place {
 };
 
 // Lays the grid around these places alone.
-void lay_grid(std::span<Place> places, const std::vector<Vec3>& points) {
+void lay_grid(std::span<NumberedPoint> places, const std::vector<Vec3>& points) {
   Vec3 low = points[places.front().number];
   Vec3 high = low;
-  for (const Place& p : places) {
+  for (const NumberedPoint& p : places) {
     low = low.cwiseMin(points[p.number]);
     high = high.cwiseMax(points[p.number]);
   }
@@ -44,9 +44,9 @@ void lay_grid(std::span<Place> places, const std::vector<Vec3>& points) {
   });
 }
 
-std::array<std::uint32_t, 3> sides_of(std::span<const Place> places) {
+std::array<std::uint32_t, 3> sides_of(std::span<const NumberedPoint> places) {
   std::array<std::uint32_t, 3> low = places.front().at, high = low;
-  for (const Place& p : places)
+  for (const NumberedPoint& p : places)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], p.at[axis]);
       high[axis] = std::max(high[axis], p.at[axis]);
@@ -61,7 +61,7 @@ std::array<std::uint32_t, 3> sides_of(std::span<const Place> places) {
 constexpr std::uint32_t least_steps = 1U << 12U;
 
 // Lays a finer grid first where this one is too coarse.
-std::size_t longest_axis(std::span<Place> places, const std::vector<Vec3>& points) {
+std::size_t longest_axis(std::span<NumberedPoint> places, const std::vector<Vec3>& points) {
   auto sides = sides_of(places);
   if (*std::max_element(sides.begin(), sides.end()) < least_steps) {
     lay_grid(places, points);
@@ -71,7 +71,7 @@ std::size_t longest_axis(std::span<Place> places, const std::vector<Vec3>& point
 }
 
 // A key that about so many of the places are below.
-std::uint64_t key_near(std::span<const Place> places, std::size_t rank, std::size_t axis) {
+std::uint64_t key_near(std::span<const NumberedPoint> places, std::size_t rank, std::size_t axis) {
   constexpr std::size_t most = 63, few = 15, many_places = 2048;
   std::array<std::uint64_t, most> sample{};
   const std::size_t size = places.size() < many_places ? few : most;
@@ -82,7 +82,7 @@ std::uint64_t key_near(std::span<const Place> places, std::size_t rank, std::siz
 }
 
 // std::nth_element() by the key, without a branch for each place: what is below the middle goes before it.
-void halve(std::span<Place> places, std::size_t middle, std::size_t axis) {
+void halve(std::span<NumberedPoint> places, std::size_t middle, std::size_t axis) {
   constexpr int most_rounds = 32;  // whatever the samples are
   constexpr std::size_t few = 64;
   std::size_t first = 0, last = places.size();
@@ -90,7 +90,7 @@ void halve(std::span<Place> places, std::size_t middle, std::size_t axis) {
     const std::uint64_t pivot = key_near(places.subspan(first, last - first), middle - first, axis);
     std::size_t end = first;  // of those below the pivot
     for (std::size_t k = first; k < last; ++k) {
-      const Place here = places[k];
+      const NumberedPoint here = places[k];
       places[k] = places[end];
       places[end] = here;
       end += here.key(axis) < pivot ? 1 : 0;
@@ -99,26 +99,28 @@ void halve(std::span<Place> places, std::size_t middle, std::size_t axis) {
   }
   const auto at = [&](std::size_t k) { return places.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at(first), at(middle), at(last),
-                   [axis](const Place& a, const Place& b) { return a.key(axis) < b.key(axis); });
+                   [axis](const NumberedPoint& a, const NumberedPoint& b) { return a.key(axis) < b.key(axis); });
 }
 
-std::uint32_t steps_along(std::span<const Place> places, std::size_t axis) {
-  const auto [low, high] = std::ranges::minmax_element(places, {}, [axis](const Place& p) { return p.at[axis]; });
+std::uint32_t steps_along(std::span<const NumberedPoint> places, std::size_t axis) {
+  const auto [low, high] =
+      std::ranges::minmax_element(places, {}, [axis](const NumberedPoint& p) { return p.at[axis]; });
   return high->at[axis] - low->at[axis];
 }
 
 // By the points themselves.
-void halve_exactly(std::span<Place> places, std::size_t middle, std::size_t axis, const std::vector<Vec3>& points) {
+void halve_exactly(std::span<NumberedPoint> places, std::size_t middle, std::size_t axis,
+                   const std::vector<Vec3>& points) {
   const auto i = static_cast<Eigen::Index>(axis);
   std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(middle), places.end(),
-                   [&](const Place& a, const Place& b) {
+                   [&](const NumberedPoint& a, const NumberedPoint& b) {
                      const double x = points[a.number][i], y = points[b.number][i];
                      return x != y ? x < y : a.number < b.number;
                    });
 }
 
 // Halving by number keeps the depth of the recursion at log2 of the number of points, wherever they lie.
-void part(std::span<Place> places, const std::vector<Vec3>& points) {
+void part(std::span<NumberedPoint> places, const std::vector<Vec3>& points) {
   if (places.size() <= space_leaf) return;
   const std::size_t axis = longest_axis(places, points);
   const std::uint32_t middle = middle_of(0, static_cast<std::uint32_t>(places.size()));
@@ -136,13 +138,13 @@ void part(std::span<Place> places, const std::vector<Vec3>& points) {
 }  // namespace
 
 std::vector<std::uint32_t> space_order(const std::vector<Vec3>& points) {
-  std::vector<Place> places = large_vector<Place>(points.size());
+  std::vector<NumberedPoint> places = large_vector<NumberedPoint>(points.size());
   for (std::uint32_t k = 0; k < places.size(); ++k) places[k].number = k;
   if (!places.empty()) lay_grid(places, points);
   part(places, points);
   std::vector<std::uint32_t> order;
   reserve_large(order, places.size());
-  for (const Place& p : places) order.push_back(p.number);
+  for (const NumberedPoint& p : places) order.push_back(p.number);
   return order;
 }
 

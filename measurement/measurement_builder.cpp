@@ -13,7 +13,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // To (-pi, pi]. -180 deg and what rounding makes of it is 180 deg.
 double wrapped(double phi) {

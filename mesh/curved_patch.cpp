@@ -7,7 +7,7 @@
 namespace lrcs {
 namespace {
 
-using Place = std::array<double, 3>;
+using Barycentric = std::array<double, 3>;
 
 PatchRule radon() {
   const double root = std::sqrt(15.0);
@@ -35,7 +35,7 @@ PatchRule radon() {
 
 using Matrix = Eigen::Matrix<double, PatchRule::size, PatchRule::size>;
 
-std::array<double, PatchRule::size> basis_at(const Place& at) {
+std::array<double, PatchRule::size> basis_at(const Barycentric& at) {
   const auto [a, b, c] = at;
   return {a * a, b * b, c * c, a * b, b * c, c * a, a * b * c};
 }
@@ -78,21 +78,21 @@ PatchPolynomial::PatchPolynomial(const CurvedPatch& patch) {
   }
 }
 
-Vec3 PatchPolynomial::at(const Place& place) const {
+Vec3 PatchPolynomial::at(const Barycentric& place) const {
   const auto basis = basis_at(place);
   Vec3 sum = basis[0] * coefficients_[0];
   for (std::size_t k = 1; k < PatchRule::size; ++k) sum += basis[k] * coefficients_[k];
   return sum;
 }
 
-CurvedPatch PatchPolynomial::part(const std::array<Place, 3>& corners) const {
+CurvedPatch PatchPolynomial::part(const std::array<Barycentric, 3>& corners) const {
   CurvedPatch part;
   const auto& [p, q, r] = corners;
   // Of the facet's area: twice the area between the places in two of their coordinates.
   const double share = (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
   const PatchRule& rule = patch_rule();
   for (std::size_t k = 0; k < PatchRule::size; ++k) {
-    Place place{};
+    Barycentric place{};
     for (std::size_t c = 0; c < 3; ++c) place[c] = rule.at[k][0] * p[c] + rule.at[k][1] * q[c] + rule.at[k][2] * r[c];
     const Vec3 vector = at(place);
     const double length = vector.norm();

@@ -15,7 +15,7 @@
 namespace lrcs {
 namespace {
 
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using NumberedBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 class GapSearch {
  public:
@@ -51,7 +51,8 @@ class GapSearch {
   struct Enough {};  // the only way to stop CGAL early
 
   // Rounded up by more than the sum rounds: no pair within the tolerance is missed.
-  [[nodiscard]] Box box_around(const std::array<std::uint32_t, 2>& vertices, double margin, std::uint32_t info) const {
+  [[nodiscard]] NumberedBox box_around(const std::array<std::uint32_t, 2>& vertices, double margin,
+                                       std::uint32_t info) const {
     CGAL::Bbox_3 box;
     for (const std::uint32_t vertex : vertices) {
       const Vec3& p = mesh_.positions[vertex];
@@ -68,8 +69,8 @@ class GapSearch {
 
   void find_near_vertices(Gaps& gaps) {
     if (tolerance_ <= 0.0) return;
-    std::vector<Box> boxes = vertex_boxes_;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    std::vector<NumberedBox> boxes = vertex_boxes_;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const NumberedBox& a, const NumberedBox& b) {
       count_test();
       if (distance(a.info(), b.info()) <= tolerance_)
         gaps.near_vertices.emplace_back(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
@@ -78,7 +79,7 @@ class GapSearch {
 
   void find_t_junctions(Gaps& gaps) {
     CGAL::box_intersection_d(edge_boxes_.begin(), edge_boxes_.end(), vertex_boxes_.begin(), vertex_boxes_.end(),
-                             [&](const Box& edge, const Box& vertex) {
+                             [&](const NumberedBox& edge, const NumberedBox& vertex) {
                                count_test();
                                test(edges_[edge.info()], vertex.info(), gaps);
                              });
@@ -107,7 +108,7 @@ class GapSearch {
   std::vector<EdgeUse> edges_;
   std::size_t left_;
   std::vector<std::uint32_t> vertices_;
-  std::vector<Box> edge_boxes_, vertex_boxes_;
+  std::vector<NumberedBox> edge_boxes_, vertex_boxes_;
 };
 
 // Of each pair the later vertex moves to the first, unless one of them has moved.

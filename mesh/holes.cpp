@@ -15,7 +15,7 @@
 namespace lrcs {
 namespace {
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Point3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 // An open edge as a facet in the hole would use it: against its own facet's winding.
 struct RimEdge {
@@ -98,7 +98,7 @@ class RimWalk {
 };
 
 std::vector<std::array<std::uint32_t, 3>> filling_of(const FacetMesh& mesh, const Hole& hole) {
-  std::vector<Point> rim;
+  std::vector<Point3> rim;
   for (const std::uint32_t vertex : hole.rim) {
     const Vec3& p = mesh.positions[vertex];
     rim.emplace_back(p.x(), p.y(), p.z());

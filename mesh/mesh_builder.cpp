@@ -45,8 +45,11 @@ std::uint32_t MeshBuilder::Names::use_nameless(std::vector<std::string>& names) 
 void MeshBuilder::reserve(std::size_t vertices, std::size_t facets) {
   reserve_large(mesh_.positions, mesh_.positions.size() + vertices);
   reserve_large(mesh_.facets, mesh_.size() + facets);
-  for (auto* list : {&mesh_.part.of, &mesh_.file_material.of, &mesh_.source_facet})
-    reserve_large(*list, mesh_.size() + facets);
+  reserve_names(mesh_.size() + facets);
+}
+
+void MeshBuilder::reserve_names(std::size_t facets) {
+  for (auto* list : {&mesh_.part.of, &mesh_.file_material.of, &mesh_.source_facet}) reserve_large(*list, facets);
 }
 
 void MeshBuilder::require_room(std::size_t more) const {
@@ -82,7 +85,7 @@ void MeshBuilder::add_facets(std::span<const std::array<std::uint32_t, 3>> facet
 void MeshBuilder::add_triangles(std::vector<std::array<std::uint32_t, 3>> facets) {
   const std::size_t before = mesh_.size();
   append(mesh_.facets, std::move(facets));
-  reserve(0, 0);
+  reserve_names(mesh_.size());
   name_facets(before);
   while (mesh_.source_facet.size() < mesh_.size()) mesh_.source_facet.push_back(polygons_++);
 }

@@ -59,6 +59,7 @@ class MeshBuilder {
     std::uint32_t use_nameless(std::vector<std::string>& names);  // of ""
   };
 
+  void reserve_names(std::size_t facets);
   void require_room(std::size_t more) const;
   void name_facets(std::size_t before);
 

@@ -5,12 +5,12 @@
 namespace lrcs {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
+using CornerVectors = std::array<Vec3, 3>;
 
 // The control points of a cubic Bezier triangle; side[j][k]: by corner j on the side to corner k.
 struct BezierTriangle {
-  Corners corner;
-  std::array<Corners, 3> side;
+  CornerVectors corner;
+  std::array<CornerVectors, 3> side;
   Vec3 middle;
 };
 
@@ -22,7 +22,7 @@ Vec3 control_point(const Vec3& from, const Vec3& to, const Vec3& normal) {
   return from + tangent * (2.0 / (3.0 * cosine * (1.0 + cosine)));
 }
 
-BezierTriangle bezier_triangle(const Corners& corners, const Corners& normals) {
+BezierTriangle bezier_triangle(const CornerVectors& corners, const CornerVectors& normals) {
   BezierTriangle t;
   t.corner = corners;
   Vec3 sides = Vec3::Zero();
@@ -61,7 +61,7 @@ CurvedPatch patch_of(const BezierTriangle& t, const Vec3& fallback) {
 
 enum class Bend { none, usable, unknown };
 
-Bend bend_of(const Corners& normals, const Vec3& flat) {
+Bend bend_of(const CornerVectors& normals, const Vec3& flat) {
   Bend bend = Bend::none;
   for (const Vec3& normal : normals) {
     if (!(normal.dot(flat) >= std::cos(most_turned))) return Bend::unknown;

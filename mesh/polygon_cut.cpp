@@ -13,17 +13,17 @@ namespace lrcs {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
+using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 using Facets = std::vector<std::array<std::uint32_t, 3>>;
-using Corners = std::span<const std::uint32_t>;
+using Polygon = std::span<const std::uint32_t>;
 
 // Twice the polygon's area times its normal (Newell), about its first corner.
-Vec3 area_vector(const std::vector<Vec3>& positions, Corners corners) {
+Vec3 area_vector(const std::vector<Vec3>& positions, Polygon corners) {
   Vec3 sum = Vec3::Zero();
   const Vec3& origin = positions[corners[0]];
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -32,14 +32,14 @@ Vec3 area_vector(const std::vector<Vec3>& positions, Corners corners) {
 }
 
 // The corners in the coordinate plane nearest to the polygon's, where they run counter-clockwise.
-std::vector<Point> projected(const std::vector<Vec3>& positions, Corners corners) {
+std::vector<Point2> projected(const std::vector<Vec3>& positions, Polygon corners) {
   const Vec3 normal = area_vector(positions, corners);
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   Eigen::Index u = (axis + 1) % 3;
   Eigen::Index v = (axis + 2) % 3;
   if (normal[axis] < 0.0) std::swap(u, v);
-  std::vector<Point> points;
+  std::vector<Point2> points;
   points.reserve(corners.size());
   for (const std::uint32_t corner : corners) points.emplace_back(positions[corner][u], positions[corner][v]);
   return points;
@@ -48,14 +48,14 @@ std::vector<Point> projected(const std::vector<Vec3>& positions, Corners corners
 // Files give coordinates to six or seven digits: a corner on a straight side then turns either way by so much [rad].
 constexpr double straight = 0x1p-16;
 
-bool turns_right(const Point& a, const Point& b, const Point& c) {
+bool turns_right(const Point2& a, const Point2& b, const Point2& c) {
   const auto u = b - a;
   const auto v = c - b;
   return u.x() * v.y() - u.y() * v.x() < -straight * std::sqrt(u.squared_length() * v.squared_length());
 }
 
 // No corner turns right, and no triangle of the fan does (which a star's would).
-bool is_convex(const std::vector<Point>& points) {
+bool is_convex(const std::vector<Point2>& points) {
   const std::size_t n = points.size();
   for (std::size_t k = 0; k < n; ++k) {
     if (turns_right(points[k], points[(k + 1) % n], points[(k + 2) % n])) return false;
@@ -66,7 +66,7 @@ bool is_convex(const std::vector<Point>& points) {
   return true;
 }
 
-void append_fan(Corners corners, Facets& facets) {
+void append_fan(Polygon corners, Facets& facets) {
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) facets.push_back({corners[0], corners[k], corners[k + 1]});
 }
 
@@ -80,7 +80,7 @@ VertexPair ordered(Triangulation::Vertex_handle a, Triangulation::Vertex_handle 
 class Boundary {
  public:
   // Throws CGAL's exception where the polygon crosses itself.
-  Boundary(const std::vector<Point>& points, Corners corners) {
+  Boundary(const std::vector<Point2>& points, Polygon corners) {
     const std::vector<Triangulation::Vertex_handle> vertices = insert(points, corners);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto a = vertices[k];
@@ -100,7 +100,7 @@ class Boundary {
   }
 
  private:
-  std::vector<Triangulation::Vertex_handle> insert(const std::vector<Point>& points, Corners corners) {
+  std::vector<Triangulation::Vertex_handle> insert(const std::vector<Point2>& points, Polygon corners) {
     std::vector<Triangulation::Vertex_handle> vertices;
     vertices.reserve(points.size());
     Triangulation::Face_handle near;  // the next corner is not far
@@ -141,7 +141,7 @@ void append_inside(const Boundary& boundary, Facets& facets) {
 
 void cut_polygon(const std::vector<Vec3>& positions, std::span<const std::uint32_t> corners, Facets& facets) {
   if (corners.size() == 3) return append_fan(corners, facets);
-  const std::vector<Point> points = projected(positions, corners);
+  const std::vector<Point2> points = projected(positions, corners);
   if (is_convex(points)) return append_fan(corners, facets);
   const std::size_t before = facets.size();
   try {

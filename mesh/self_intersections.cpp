@@ -12,8 +12,8 @@ namespace lrcs {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Point3 = Kernel::Point_3;
+using NumberedBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Corners = std::array<std::uint32_t, 3>;
 
 class PairTest {
@@ -69,7 +69,7 @@ class PairTest {
     return CGAL::orientation(seen(c[0]), seen(c[1]), seen(c[2]));
   }
 
-  [[nodiscard]] Point point(std::uint32_t vertex) const {
+  [[nodiscard]] Point3 point(std::uint32_t vertex) const {
     const Vec3& p = mesh_.positions[vertex];
     return {p.x(), p.y(), p.z()};
   }
@@ -79,8 +79,8 @@ class PairTest {
   const FacetMesh& mesh_;
 };
 
-std::vector<Box> boxes_of(const FacetMesh& mesh) {
-  std::vector<Box> boxes;
+std::vector<NumberedBox> boxes_of(const FacetMesh& mesh) {
+  std::vector<NumberedBox> boxes;
   boxes.reserve(mesh.size());
   for (std::uint32_t k = 0; k < mesh.size(); ++k) {
     CGAL::Bbox_3 box;
@@ -95,11 +95,11 @@ std::vector<Box> boxes_of(const FacetMesh& mesh) {
 SelfIntersections self_intersections(const FacetMesh& welded, std::size_t most_tests) {
   struct Enough {};  // the only way to stop CGAL early
   const PairTest test(welded);
-  std::vector<Box> boxes = boxes_of(welded);
+  std::vector<NumberedBox> boxes = boxes_of(welded);
   SelfIntersections result;
   std::size_t left = most_tests + 20 * welded.size();
   try {
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const NumberedBox& a, const NumberedBox& b) {
       if (left-- == 0) throw Enough();
       if (!test.intersect(a.info(), b.info())) return;
       ++result.pairs;

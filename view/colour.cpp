@@ -14,7 +14,15 @@ double channel(unsigned colour, unsigned shift) {
   return ((colour >> shift) & 0xffU) / 255.0;
 }
 
+std::uint8_t byte_of(double share) {
+  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+}
+
 }  // namespace
+
+Rgb rgb_of(const Colour& colour) {
+  return {byte_of(colour.red), byte_of(colour.green), byte_of(colour.blue)};
+}
 
 Colour viridis(double t) {
   if (!(t >= 0.0 && t <= 1.0)) throw std::domain_error("viridis: t lies outside [0, 1]");

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace lrcs {
 
@@ -10,6 +11,10 @@ struct Colour {
   double green = 0.0;
   double blue = 0.0;
 };
+
+// Bytes of it, each to the nearest; what is outside 0..1 is its end.
+using Rgb = std::array<std::uint8_t, 3>;
+[[nodiscard]] Rgb rgb_of(const Colour& colour);
 
 inline constexpr Colour black{0.0, 0.0, 0.0};
 inline constexpr Colour white{1.0, 1.0, 1.0};

@@ -13,7 +13,7 @@ constexpr Colour wall_grey{0.93, 0.93, 0.93};
 constexpr Colour wall_line{0.72, 0.72, 0.72};
 
 // A segment as a thin tile.
-Tile stroke(const Point& from, const Point& to, double width, const Colour& colour) {
+Tile thick_line(const Point& from, const Point& to, double width, const Colour& colour) {
   const double length = std::max(std::hypot(to.x - from.x, to.y - from.y), 1e-9);
   const double dx = -0.5 * width * (to.y - from.y) / length, dy = 0.5 * width * (to.x - from.x) / length;
   return {{{from.x + dx, from.y + dy}, {to.x + dx, to.y + dy}, {to.x - dx, to.y - dy}, {from.x - dx, from.y - dy}},
@@ -115,7 +115,7 @@ class Surface {
   void add_line(std::vector<Tile>& tiles, std::size_t t, std::size_t p, std::size_t to_t, std::size_t to_p) const {
     constexpr double width = 2.0;
     const Colour colour = line_colour(0.5 * (height(t, p) + height(to_t, to_p)));
-    tiles.push_back(stroke(corner(t, p), corner(to_t, to_p), width, colour));
+    tiles.push_back(thick_line(corner(t, p), corner(to_t, to_p), width, colour));
   }
 
   // A line is drawn with both cells beside it: the nearer one, painted later, would cover half of it.
@@ -137,9 +137,9 @@ class Surface {
 
   void add_wall_lines(std::vector<Tile>& tiles, const Cell& cell) const {
     const std::size_t rim = cell.theta + 1, p = cell.phi;
-    if (is_multiple(phi_deg(p), 30.0)) tiles.push_back(stroke(foot(p), corner(rim, p), 2.0, wall_line));
-    tiles.push_back(stroke(foot(p), foot(p + 1), 3.0, ink));
-    tiles.push_back(stroke(corner(rim, p), corner(rim, p + 1), 2.0, ink));
+    if (is_multiple(phi_deg(p), 30.0)) tiles.push_back(thick_line(foot(p), corner(rim, p), 2.0, wall_line));
+    tiles.push_back(thick_line(foot(p), foot(p + 1), 3.0, ink));
+    tiles.push_back(thick_line(corner(rim, p), corner(rim, p + 1), 2.0, ink));
   }
 
   const HemisphereValues& values_;

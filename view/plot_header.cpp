@@ -7,20 +7,20 @@
 namespace lrcs {
 namespace {
 
-constexpr double margin = 28.0;     // [pixel]
-constexpr double stroke = 84.0;     // length of a line in the legend [pixel]
-constexpr double text_gap = 16.0;   // between that line and its label [pixel]
-constexpr double entry_gap = 48.0;  // between two entries [pixel]
-constexpr double row = 48.0;        // height of a row of the legend [pixel]
+constexpr double margin = 28.0;         // [pixel]
+constexpr double sample_length = 84.0;  // length of a line in the legend [pixel]
+constexpr double text_gap = 16.0;       // between that line and its label [pixel]
+constexpr double entry_gap = 48.0;      // between two entries [pixel]
+constexpr double row = 48.0;            // height of a row of the legend [pixel]
 
 double entry_width(const LegendEntry& entry, const Font& font) {
-  return stroke + text_gap + text_size(entry.label, font).width;
+  return sample_length + text_gap + text_size(entry.label, font).width;
 }
 
 void draw_entry(Canvas& canvas, const LegendEntry& entry, const Font& font, const Point& left) {
-  canvas.line({left, {left.x + stroke, left.y}}, entry.pen);
-  if (entry.marker) draw_markers(canvas, {{left.x + 0.5 * stroke, left.y}}, *entry.marker);
-  canvas.text({left.x + stroke + text_gap, left.y}, entry.label,
+  canvas.line({left, {left.x + sample_length, left.y}}, entry.pen);
+  if (entry.marker) draw_markers(canvas, {{left.x + 0.5 * sample_length, left.y}}, *entry.marker);
+  canvas.text({left.x + sample_length + text_gap, left.y}, entry.label,
               {.font = font, .x = AlignX::left, .y = AlignY::middle});
 }
 
@@ -43,7 +43,7 @@ std::vector<std::vector<LegendEntry>> rows_of(const std::vector<LegendEntry>& le
 void draw_row(Canvas& canvas, const std::vector<LegendEntry>& entries, double y) {
   const double room = canvas.width() - 2.0 * margin;
   const auto font_of = [&](const LegendEntry& entry) {
-    return fitting(entry.label, note_font, room - stroke - text_gap);
+    return fitting(entry.label, note_font, room - sample_length - text_gap);
   };
   double width = entry_gap * static_cast<double>(entries.size() - 1);
   for (const LegendEntry& entry : entries) width += entry_width(entry, font_of(entry));

@@ -17,7 +17,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -26,10 +25,6 @@
 
 namespace lrcs {
 namespace {
-
-std::uint8_t byte_of(double share) {
-  return static_cast<std::uint8_t>(std::lround(255.0 * share));
-}
 
 // In the view's own axes and pixels: right, up, toward the viewer.
 vtkSmartPointer<vtkPolyData> triangles_in_view(const FacetMesh& mesh, const ParallelView& view) {
@@ -54,8 +49,7 @@ vtkSmartPointer<vtkUnsignedCharArray> shaded(const FacetMesh& mesh, const std::v
   array->SetNumberOfComponents(3);
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     const double light = std::lerp(edge_on, 1.0, std::abs(mesh.normals[i].dot(view.backward)));
-    const std::array<std::uint8_t, 3> rgb{byte_of(light * colours[i].red), byte_of(light * colours[i].green),
-                                          byte_of(light * colours[i].blue)};
+    const Rgb rgb = rgb_of({light * colours[i].red, light * colours[i].green, light * colours[i].blue});
     array->InsertNextTypedTuple(rgb.data());
   }
   return array;

@@ -13,16 +13,6 @@ namespace {
 
 constexpr int fine = 4;  // points a pixel, each way
 
-using Rgb = std::array<std::uint8_t, 3>;
-
-std::uint8_t byte_of(double channel) {
-  return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(channel, 0.0, 1.0)));
-}
-
-Rgb rgb_of(const Colour& colour) {
-  return {byte_of(colour.red), byte_of(colour.green), byte_of(colour.blue)};
-}
-
 bool is_finite(const Tile& tile) {
   return std::all_of(tile.outline.begin(), tile.outline.end(),
                      [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Smooth, and reciprocal.
 Brdf smooth() {

@@ -8,7 +8,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Composite three-point Gauss rule: sixth order.
 double integral(double from, double to, int panels, const std::function<double(double)>& f) {
@@ -45,14 +45,14 @@ struct Published {
   std::array<double, 6> sigma;  // sphere, plate at 0, 30, 60 deg, cylinder, cone [m^2]
 };
 // To ten digits, from 30-digit arithmetic.
-constexpr std::array<Published, 4> published{
+constexpr std::array<Published, 4> published_sets{
     {{"metal-skin-5p", {3.509758352, 2.111150263, 1.131587412, 0.4282831334, 2.749972067, 2.258011689}},
      {"metal-skin-9p", {3.491442528, 2.03575204, 1.266039804, 0.3582504576, 2.804345802, 1.872463526}},
      {"painted-steel-5p", {3.395819309, 2.111150263, 1.244641469, 0.3541174223, 2.780478203, 1.215643369}},
      {"painted-steel-9p", {3.122526695, 2.318495378, 1.302755612, 0.2107559971, 2.828173684, 0.7902136484}}}};
 
 TEST(WuCrossSection, OfSpherePlateCylinderAndConeIsThePublishedToTenDigits) {
-  for (const auto& [set, sigma] : published) {
+  for (const auto& [set, sigma] : published_sets) {
     const Wu& model = std::get<Wu>(find_in_library(set)->brdf);
     const std::array<double, 6> found{
         sphere(model),   plate(model, 0.0), plate(model, 30.0 * degree), plate(model, 60.0 * degree),

@@ -10,7 +10,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const WuParameters<double>& published(std::string_view name) {
   return std::get<Wu>(find_in_library(name)->brdf).parameters();

@@ -55,10 +55,6 @@ std::vector<std::pair<std::string, Brdf>> materials() {
   return all;
 }
 
-Aspect aspect(const AspectAngles& transmitter, const AspectAngles& receiver) {
-  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
-}
-
 Estimate sigma_of(Target& target, const Brdf& brdf, const Aspect& from) {
   target.materials = {{"m", brdf, 0.0, ""}};
   return run_sweep(target, {from}, 1)[0].sigma;
@@ -81,13 +77,14 @@ TopoDS_Shape paraboloid() {
 }
 
 std::vector<Solid> solids() {
-  const std::vector<Aspect> all_round{
-      aspect({0, 90}, {0, 90}),   aspect({20, 35}, {20, 35}),  aspect({77, -12}, {77, -12}), aspect({200, 3}, {200, 3}),
-      aspect({20, 35}, {60, 21}), aspect({130, -40}, {75, 5}), aspect({-77, 50}, {10, 80})};
-  const std::vector<Aspect> from_above{aspect({0, 90}, {0, 90}), aspect({40, 75}, {40, 75}), aspect({10, 62}, {10, 62}),
-                                       aspect({40, 80}, {70, 65})};
-  const std::vector<Aspect> from_below{aspect({0, -90}, {0, -90}), aspect({20, -60}, {20, -60}),
-                                       aspect({40, -80}, {70, -50})};
+  const std::vector<Aspect> all_round{aspect_between({0, 90}, {0, 90}),     aspect_between({20, 35}, {20, 35}),
+                                      aspect_between({77, -12}, {77, -12}), aspect_between({200, 3}, {200, 3}),
+                                      aspect_between({20, 35}, {60, 21}),   aspect_between({130, -40}, {75, 5}),
+                                      aspect_between({-77, 50}, {10, 80})};
+  const std::vector<Aspect> from_above{aspect_between({0, 90}, {0, 90}), aspect_between({40, 75}, {40, 75}),
+                                       aspect_between({10, 62}, {10, 62}), aspect_between({40, 80}, {70, 65})};
+  const std::vector<Aspect> from_below{aspect_between({0, -90}, {0, -90}), aspect_between({20, -60}, {20, -60}),
+                                       aspect_between({40, -80}, {70, -50})};
   const double pi = std::numbers::pi;
   return {{"sphere", BRepPrimAPI_MakeSphere(m), ellipsoid_surface(1, 1, 1), 3.7, 1e-6, all_round},
           {"cylinder",
@@ -144,7 +141,7 @@ TEST(CurvedSections, SigmaOfAShadedTorusIsRightToAHundredThousandth) {
          {AspectAngles{10, 45}, AspectAngles{20, 35}, AspectAngles{100, 25}, AspectAngles{33, 15}, AspectAngles{0, 7},
           AspectAngles{14, 7}, AspectAngles{50, 0}}) {
       const double exact = torus.sigma(brdf, direction_of(from));
-      const Estimate sigma = sigma_of(target, brdf, aspect(from, from));
+      const Estimate sigma = sigma_of(target, brdf, aspect_between(from, from));
       // 1e-5 is wanted. Near the plane of the ring it is seen so flatly that its facets are not small beside what is
       // seen of it.
       const double up = from.elevation_deg;
@@ -163,7 +160,7 @@ TEST(CurvedSections, ABallHidesOfAPlateBehindItWhatItsTrueOutlineDoes) {
   const double exact = 8.0 / 3.0 * std::numbers::pi + 4.0 * (16.0 - std::numbers::pi);
   for (const bool curved : {true, false}) {
     Target target = target_of(both, 8.0, curved);
-    const Estimate sigma = sigma_of(target, Lambert(1.0), aspect({0, 90}, {0, 90}));
+    const Estimate sigma = sigma_of(target, Lambert(1.0), aspect_between({0, 90}, {0, 90}));
     if (curved) {
       EXPECT_NEAR(sigma.value, exact, 3e-7 * exact);
       EXPECT_NEAR(sigma.value, exact, sigma.bound);
@@ -184,7 +181,7 @@ TEST(CurvedSections, ACylinderBeforeAPlateMayLieAlongEitherAxis) {
     builder.Add(both, BRepPrimAPI_MakeCylinder(gp_Ax2(start, axis), m, 2 * m).Shape());
     builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(-2 * m, -2 * m, -m), gp_Pnt(2 * m, 2 * m, 0)).Shape());
     Target target = target_of(both, 8.0);
-    EXPECT_NEAR(sigma_of(target, Lambert(1.0), aspect({0, 90}, {0, 90})).value, exact, 3e-7 * exact);
+    EXPECT_NEAR(sigma_of(target, Lambert(1.0), aspect_between({0, 90}, {0, 90})).value, exact, 3e-7 * exact);
   }
 }
 
@@ -204,7 +201,7 @@ TEST(CurvedSections, ConvergesAtFourthOrderAndFlatFacetsAtSecond) {
       Target target = target_of(BRepPrimAPI_MakeTorus(m, 0.4 * m), angle, curved);
       double worst = 0.0;
       for (const AspectAngles& from : {AspectAngles{20, 80}, AspectAngles{77, 65}, AspectAngles{-50, 70}}) {
-        const Aspect at = aspect(from, from);
+        const Aspect at = aspect_between(from, from);
         const double exact = unshaded_sigma(surface, brdf, at.to_transmitter, at.to_receiver);
         worst = std::max(worst, std::abs(sigma_of(target, brdf, at).value / exact - 1.0));
       }
@@ -231,7 +228,7 @@ TEST(CurvedSections, OfASheetReturnFromEachSideWhatItsMaterialDoes) {
   target.back.assign(target.mesh.size(), 1);
   for (const double side : {1.0, -1.0}) {
     const double expected = 8.0 / 3.0 * std::numbers::pi * (side > 0.0 ? front : back);
-    const Aspect from = aspect({0, 90.0 * side}, {0, 90.0 * side});
+    const Aspect from = aspect_between({0, 90.0 * side}, {0, 90.0 * side});
     EXPECT_NEAR(run_sweep(target, {from}, 1)[0].sigma.value, expected, 3e-6 * expected);
   }
 }

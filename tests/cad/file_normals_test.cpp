@@ -20,13 +20,9 @@ namespace {
 using testing::IsEmpty;
 using By = Curving::By;
 
-Aspect aspect(const AspectAngles& transmitter, const AspectAngles& receiver) {
-  return {transmitter, receiver, direction_of(transmitter), direction_of(receiver)};
-}
-
-const std::vector<Aspect> all_round{aspect({20, 35}, {20, 35}), aspect({77, -12}, {77, -12}),
-                                    aspect({200, 3}, {200, 3}), aspect({20, 35}, {60, 21}),
-                                    aspect({130, -40}, {75, 5})};
+const std::vector<Aspect> all_round{aspect_between({20, 35}, {20, 35}), aspect_between({77, -12}, {77, -12}),
+                                    aspect_between({200, 3}, {200, 3}), aspect_between({20, 35}, {60, 21}),
+                                    aspect_between({130, -40}, {75, 5})};
 
 // As a scene takes it, with +x forward and +z up.
 class FileNormalsOf : public testing::Test {

@@ -16,15 +16,9 @@ namespace lrcs {
 namespace {
 
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 // Little search: clean data of a published set need no more.
 const Words quickly{"--starts", "4", "--neighbours", "2"};
-
-Words with(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 std::string made_data(const std::string& material = "metal-skin-5p") {
   return run_lrcs({"brdf", material, "--theta-i", "0,10,30,50", "--step", "4", "-q"}).out;

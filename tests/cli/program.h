@@ -20,6 +20,13 @@
 
 namespace lrcs {
 
+using Words = std::vector<std::string>;
+
+inline Words with(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 // How a run of the program ended.
 struct Outcome {
   int status = -1;       // the exit status; -signal where a signal ended it

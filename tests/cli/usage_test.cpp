@@ -10,14 +10,7 @@
 namespace lrcs {
 namespace {
 
-using Words = std::vector<std::string>;
-
 const Words by_flags{"sweep", "box.stl", "--unit", "m", "--material", "lambert:0.8", "--azimuth", "0:20:10"};
-
-Words with(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 struct Wrong {
   Words words;

@@ -13,14 +13,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-FitOptions quick() {
+FitOptions quickly() {
   FitOptions options;
   options.starts = 4;
   options.neighbours = 2;
   return options;
 }
 
-std::string json_of(const BrdfMeasurement& data, const char* form, const FitOptions& options = quick()) {
+std::string json_of(const BrdfMeasurement& data, const char* form, const FitOptions& options = quickly()) {
   return fit_json(fit_brdf(data, form, options), data);
 }
 
@@ -97,7 +97,7 @@ TEST(FitJson, TakesNamesThatAreNoUtf8) {
 
 TEST(FitText, NamesEveryParameterAndWhatIsNotDetermined) {
   const auto data = goniometer_data(published("metal-skin-9p"), 0.03, 4);
-  const BrdfFit fit = fit_brdf(data, "nine_parameter", quick());
+  const BrdfFit fit = fit_brdf(data, "nine_parameter", quickly());
   const std::string text = fit_text(fit);
   for (const FittedParameter& p : fit.parameters) {
     EXPECT_NE(text.find("\n" + p.name + " "), std::string::npos) << text;
@@ -112,7 +112,7 @@ TEST(ComparisonText, PutsTheModelFirstThatMadeTheData) {
   const auto data = goniometer_data(Brdf(Phong(0.3, 0.5, 25.0)), 0.03, 5);
   std::vector<BrdfFit> fits;
   for (const char* form : {"lambert", "five_parameter", "phong", "cook_torrance_ggx"})
-    fits.push_back(fit_brdf(data, form, quick()));
+    fits.push_back(fit_brdf(data, form, quickly()));
   const std::string text = comparison_text(fits);
   EXPECT_EQ(text.substr(text.find('\n') + 1, 5), "phong") << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);

@@ -10,7 +10,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sigma(FacetMesh mesh, const Brdf& brdf, const Vec3& di, const Vec3& dr) {
   return section_of(target_of(std::move(mesh), brdf), di, dr).sigma.value;

@@ -10,12 +10,12 @@
 namespace lrcs {
 namespace {
 
-struct Counts {
+struct HiddenCounts {
   std::size_t hidden = 0, said = 0;  // facets that nothing is seen of; those said to be so
 };
 
 // What is said to be hidden is hidden by clipping, which knows nothing of the grid.
-Counts expect_said_is_hidden(FacetMesh mesh, const Vec3& toward) {
+HiddenCounts expect_said_is_hidden(FacetMesh mesh, const Vec3& toward) {
   measure_facets(mesh);
   const Surface surface(mesh);
   ViewOutline view(surface);
@@ -23,7 +23,7 @@ Counts expect_said_is_hidden(FacetMesh mesh, const Vec3& toward) {
   CoverGrid cover;
   cover.find(surface, view);
   const auto seen = Visibility(mesh).seen_fraction_by_clipping(toward, toward);
-  Counts counts;
+  HiddenCounts counts;
   for (std::uint32_t f = 0; f < surface.occluders.size(); ++f) {
     if (view.counts(f) == 0) continue;
     const Estimate& its = seen[surface.occluders.original[f]];
@@ -44,7 +44,7 @@ void expect_all_said_behind_sheet(std::uint32_t count, const Vec3& toward) {
   FacetMesh mesh;
   add_sheet(mesh, 1.0, count, 1.0);
   add_sheet(mesh, 0.9, 20, 0.0);
-  const Counts counts = expect_said_is_hidden(mesh, toward);
+  const HiddenCounts counts = expect_said_is_hidden(mesh, toward);
   EXPECT_EQ(counts.hidden, 800);
   EXPECT_EQ(counts.said, 800);
 }
@@ -62,7 +62,7 @@ TEST(CoverGrid, ASheetWithAHoleDoesNotHideWhatIsBehindTheHole) {
   add_sheet(mesh, 1.0, 40, 1.0);
   mesh.facets.erase(mesh.facets.begin() + 1640);  // one facet
   add_sheet(mesh, 0.9, 20, 0.0);
-  const Counts counts = expect_said_is_hidden(mesh, Vec3(0.01, -0.02, 1.0).normalized());
+  const HiddenCounts counts = expect_said_is_hidden(mesh, Vec3(0.01, -0.02, 1.0).normalized());
   EXPECT_LT(counts.hidden, 800);
   EXPECT_GE(counts.said, 700);
 }
@@ -76,7 +76,7 @@ TEST(CoverGrid, SheetsThatPassThroughEachOtherHideWhatIsBehindBoth) {
   add_sheet(mesh, 1.0, 20, 1.0);
   for (std::size_t k = first; k < mesh.positions.size(); ++k) mesh.positions[k].z() -= 0.2 * mesh.positions[k].x();
   add_sheet(mesh, 0.9, 10, 0.0);
-  const Counts counts = expect_said_is_hidden(mesh, Vec3::UnitZ());
+  const HiddenCounts counts = expect_said_is_hidden(mesh, Vec3::UnitZ());
   EXPECT_GE(counts.said, 200);
 }
 
@@ -93,7 +93,8 @@ TEST(CoverGrid, WhatIsSaidToBeHiddenIsHidden) {
       const auto count = static_cast<std::uint32_t>(4 + k);
       add_tiled_plate(mesh, {low.x(), low.x(), 0.3 * real(random)}, {0.5, 0, 0}, {0, 0.5, 0}, count);
     }
-    const Counts counts = expect_said_is_hidden(mesh, seed % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_direction(random));
+    const HiddenCounts counts =
+        expect_said_is_hidden(mesh, seed % 3 == 0 ? Vec3(Vec3::UnitZ()) : random_direction(random));
     hidden += counts.hidden;
     said += counts.said;
   }

@@ -11,7 +11,7 @@
 namespace lrcs {
 namespace {
 
-struct Counts {
+struct PairCounts {
   std::size_t matter = 0, let_through = 0, all = 0;  // pairs of a facet and an edge that is none of its own
 };
 
@@ -23,7 +23,7 @@ bool boxes_meet(const SeenFacet& facet, const OutlineEdge& edge) {
 }
 
 // FacetSight knows the doubles: what it does not rule out, the sieve must not rule out either.
-Counts expect_all_that_matters_let_through(const FacetMesh& mesh, const Vec3& toward) {
+PairCounts expect_all_that_matters_let_through(const FacetMesh& mesh, const Vec3& toward) {
   const Surface surface(mesh);
   ViewOutline view(surface);
   view.look_along(toward);
@@ -33,7 +33,7 @@ Counts expect_all_that_matters_let_through(const FacetMesh& mesh, const Vec3& to
   for (std::uint32_t k = 0; k < edges.size(); ++k) ends.put(k, edges[k], k);
   FacetSight sight;
   EdgeSieve sieve;
-  Counts counts;
+  PairCounts counts;
   std::vector<std::uint32_t> by_all, by_boxes;
   for (std::uint32_t f = 0; f < surface.occluders.size(); ++f) {
     if (view.counts(f) == 0) continue;
@@ -93,7 +93,7 @@ TEST(EdgeSieve, RulesOutNothingThatMattersAmongCoincidences) {
 
 TEST(EdgeSieve, RulesOutMostOfWhatDoesNot) {
   std::mt19937_64 random(7);
-  const Counts counts = expect_all_that_matters_let_through(soup(random, 400, 0.3, 1.0), random_direction(random));
+  const PairCounts counts = expect_all_that_matters_let_through(soup(random, 400, 0.3, 1.0), random_direction(random));
   EXPECT_GT(counts.all, 50 * counts.matter);
   EXPECT_LT(counts.let_through, 3 * counts.matter);
 }

@@ -11,7 +11,7 @@ namespace lrcs {
 namespace {
 
 constexpr double white = 1.0 / std::numbers::pi;
-const Vec3 up = Vec3::UnitZ();
+const Vec3 face_on = Vec3::UnitZ();
 const Vec3 slanted = Vec3(0.3, 0, 1).normalized();
 
 // Dark but for a small plate.
@@ -29,27 +29,27 @@ TEST(UnmetReturns, AreWhatBrighterFacetsReturnInAllIfThatIsLittle) {
   const Target target = spotted_plate(0.01);
   UnmetReturns unmet(target);
   const double largest = 0.001 * white;
-  EXPECT_NEAR(unmet.beyond(largest, up, up, 0.1), 0.01 * 0.999 * white, 1e-3 * 0.01 * white);
+  EXPECT_NEAR(unmet.beyond(largest, face_on, face_on, 0.1), 0.01 * 0.999 * white, 1e-3 * 0.01 * white);
   const double cosine = slanted.z();
-  EXPECT_NEAR(unmet.beyond(largest, up, slanted, 0.1), 0.01 * (1.0 - 0.001) * white * cosine, 1e-12);
+  EXPECT_NEAR(unmet.beyond(largest, face_on, slanted, 0.1), 0.01 * (1.0 - 0.001) * white * cosine, 1e-12);
 }
 
 TEST(UnmetReturns, AreFourPlacesAtTheMost) {
   const Target target = spotted_plate(0.5);
   UnmetReturns unmet(target);
   const double most = 4.0 * 0.999 * white;
-  EXPECT_NEAR(unmet.beyond(0.001 * white, up, up, 0.1), most, 1e-12);
-  EXPECT_NEAR(unmet.beyond(0.001 * white, up, slanted, 0.1), most, 1e-12);
+  EXPECT_NEAR(unmet.beyond(0.001 * white, face_on, face_on, 0.1), most, 1e-12);
+  EXPECT_NEAR(unmet.beyond(0.001 * white, face_on, slanted, 0.1), most, 1e-12);
 }
 
 TEST(UnmetReturns, AreNoneOfWhatIsMetOrFacesAway) {
   Target target = spotted_plate(0.01);
   UnmetReturns unmet(target);
-  EXPECT_EQ(unmet.beyond(white, up, up, 0.1), 0.0);
-  EXPECT_EQ(unmet.beyond(white, up, slanted, 0.1), 0.0);
-  EXPECT_EQ(unmet.beyond(0.0, up, -slanted, 0.1), 0.0) << "lit from behind";
+  EXPECT_EQ(unmet.beyond(white, face_on, face_on, 0.1), 0.0);
+  EXPECT_EQ(unmet.beyond(white, face_on, slanted, 0.1), 0.0);
+  EXPECT_EQ(unmet.beyond(0.0, face_on, -slanted, 0.1), 0.0) << "lit from behind";
   target.sides = Sides::front;
-  EXPECT_EQ(UnmetReturns(target).beyond(0.0, -up, -up, 0.1), 0.0);
+  EXPECT_EQ(UnmetReturns(target).beyond(0.0, -face_on, -face_on, 0.1), 0.0);
 }
 
 // Two dark bodies, and before them bright plates too small to be met that return a twentieth of all.
@@ -58,12 +58,12 @@ Target glints(std::mt19937_64& random, const Vec3& d, double contrast) {
   append(mesh, sphere(0.7, 20), {1.2, 0.3, 0.2});
   const auto dark = static_cast<std::ptrdiff_t>(mesh.size());
   const double sigma = section_of(target_of(mesh, lambert(0.9 / contrast)), d, d).sigma.value;
-  const Vec3 right = d.unitOrthogonal(), above = d.cross(right);
+  const Vec3 right = d.unitOrthogonal(), ahead = d.cross(right);
   std::uniform_real_distribution<double> off(-1.0, 1.0);
   const auto plates = static_cast<double>(1 + random() % 8);
   const double side = std::sqrt(0.05 * sigma / (4.0 * 0.9 * plates));
   for (int k = 0; k < plates; ++k)
-    add_plate(mesh, 2.5 * d + off(random) * right + off(random) * above, side * right, side * above);
+    add_plate(mesh, 2.5 * d + off(random) * right + off(random) * ahead, side * right, side * ahead);
   Target target = target_of(mesh, lambert(0.9 / contrast));
   target.materials.push_back({"bright", lambert(0.9), 0.0, ""});
   std::fill(target.material.begin() + dark, target.material.end(), 1);

@@ -12,7 +12,7 @@ namespace {
 
 using testing::Contains;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string alta(const std::string& param_in, const std::string& param_out, const std::string& rows) {
   return "#DIM 3 1\n#PARAM_IN " + param_in + "\n#PARAM_OUT " + param_out + "\n" + rows;

@@ -11,7 +11,7 @@ namespace {
 
 using testing::Contains;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(LumosTable, HasPhiAsTheZenith) {
   const auto m = measurement_of(made_lumos);

@@ -14,7 +14,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(CsvReader, TakesAnglesAsTheyStand) {
   const auto m =

@@ -11,7 +11,7 @@ namespace {
 
 using testing::Contains;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const BrdfSample& sample_on_line(const BrdfMeasurement& m, int line, double f_r) {
   return *std::find_if(m.samples.begin(), m.samples.end(),

@@ -15,7 +15,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rounding = 1e-9;  // [rad], [deg] or [1]: of angles that went through vectors
 constexpr double incidences_deg[] = {10, 30, 50, 70};
 

@@ -8,8 +8,7 @@
 namespace lrcs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double deg = pi / 180.0;
+using std::numbers::pi;
 
 // Integral of (n.w)^2 over the patches, or over the flat facets.
 double mean_square(const FacetMesh& mesh, const Vec3& w) {
@@ -29,7 +28,7 @@ double mean_square(const FacetMesh& mesh, const Vec3& w) {
 
 double error_of_ball(int levels, double jitter) {
   FacetMesh ball = jittered_ball(levels, jitter, 5);
-  EXPECT_EQ(curve_by_normals(ball, estimated_normals(ball, 60 * deg)).size(), 0U);
+  EXPECT_EQ(curve_by_normals(ball, estimated_normals(ball, 60 * degree)).size(), 0U);
   return std::abs(mean_square(ball, Vec3(2, -1, 2) / 3.0) / (4.0 * pi / 3.0) - 1.0);
 }
 
@@ -43,7 +42,7 @@ TEST(NormalPatches, ConvergeAtFourthOrderOnASphere) {
 
 TEST(NormalPatches, LeaveNoGapsOnASphere) {
   FacetMesh ball = jittered_ball(2, 0.2, 9);
-  curve_by_normals(ball, estimated_normals(ball, 60 * deg));
+  curve_by_normals(ball, estimated_normals(ball, 60 * degree));
   Vec3 sum = Vec3::Zero();
   double area = 0.0;
   for (const CurvedPatch& p : ball.curved.patches)
@@ -56,7 +55,7 @@ TEST(NormalPatches, LeaveNoGapsOnASphere) {
 
 TEST(NormalPatches, MakeACylinderOfItsRectanglesAndKeepItsCapsFlat) {
   FacetMesh tube = cylinder(48, 2.0);
-  EXPECT_EQ(curve_by_normals(tube, estimated_normals(tube, 30 * deg)).size(), 0U);
+  EXPECT_EQ(curve_by_normals(tube, estimated_normals(tube, 30 * degree)).size(), 0U);
   EXPECT_EQ(tube.curved.patches.size(), 96U);
   // Integral of (n.x)^2 over the side: pi h.
   EXPECT_NEAR(mean_square(tube, Vec3(1, 0, 0)) / (2.0 * pi), 1.0, 3e-6);
@@ -66,7 +65,7 @@ TEST(NormalPatches, MakeACylinderOfItsRectanglesAndKeepItsCapsFlat) {
 
 TEST(NormalPatches, LeaveAMeshOfCreasesAsItIs) {
   FacetMesh mesh = unit_box();
-  EXPECT_EQ(curve_by_normals(mesh, estimated_normals(mesh, 45 * deg)).size(), 0U);
+  EXPECT_EQ(curve_by_normals(mesh, estimated_normals(mesh, 45 * degree)).size(), 0U);
   EXPECT_TRUE(mesh.curved.of.empty());
 }
 

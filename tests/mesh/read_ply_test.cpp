@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "made_round_meshes.h"
+#include "mesh/ply_blocks.h"
 #include "mesh/repair.h"
 #include "mesh_files.h"
 
@@ -17,16 +18,16 @@ struct Layout {
   bool big_endian, more_scalars, list_in_vertices, list_in_faces;
 };
 
-std::string bytes_of_number(double x, const std::string& type, bool big) {
-  if (type == "float") return bytes_of(static_cast<float>(x), big);
-  if (type == "double") return bytes_of(x, big);
-  return bytes_of(static_cast<std::int16_t>(x), big);
+std::string bytes_of_whole(std::uint32_t x, const std::string& type, bool big) {
+  if (type.find("char") != type.npos || type.ends_with("int8")) return bytes_of(static_cast<std::uint8_t>(x), big);
+  if (type.find("short") != type.npos || type.ends_with("int16")) return bytes_of(static_cast<std::uint16_t>(x), big);
+  return bytes_of(x, big);
 }
 
-std::string bytes_of_whole(std::uint32_t x, const std::string& type, bool big) {
-  if (type == "uchar" || type == "char") return bytes_of(static_cast<std::uint8_t>(x), big);
-  if (type == "short" || type == "ushort") return bytes_of(static_cast<std::uint16_t>(x), big);
-  return bytes_of(x, big);
+std::string bytes_of_number(double x, const std::string& type, bool big) {
+  if (type == "float" || type == "float32") return bytes_of(static_cast<float>(x), big);
+  if (type == "double" || type == "float64") return bytes_of(x, big);
+  return bytes_of_whole(static_cast<std::uint32_t>(static_cast<std::int32_t>(x)), type, big);
 }
 
 std::string ply_of(const FacetMesh& mesh, const Layout& l) {
@@ -85,6 +86,44 @@ TEST(ReadPly, GivesTheSameAtOnceAsRowByRow) {
             expect_same_bytes(mesh_of_file("a.ply", ply_of(mesh, {number, count, index, big, more, false, true})),
                               at_once);
           }
+}
+
+TEST(ReadPly, TakesEveryTypeOfNumber) {
+  FacetMesh mesh = ball(1);
+  for (Vec3& p : mesh.positions) p = (0.005 * p).array().round() + 60.0;
+  ASSERT_LT(mesh.positions.size(), 128U);
+  const std::vector<const char*> whole{"char", "uchar", "short", "ushort", "int",   "uint",
+                                       "int8", "uint8", "int16", "uint16", "int32", "uint32"};
+  std::vector<const char*> any = whole;
+  any.insert(any.end(), {"float", "double", "float32", "float64"});
+  for (std::size_t k = 0; k < any.size(); ++k)
+    for (const bool big : {false, true})
+      for (const bool row_by_row : {false, true}) {
+        const char *count = whole[k % whole.size()], *index = whole[(5 * k + 1) % whole.size()];
+        const FacetMesh read =
+            mesh_of_file("a.ply", ply_of(mesh, {any[k], count, index, big, false, row_by_row, row_by_row}));
+        EXPECT_EQ(read.positions, mesh.positions) << any[k];
+        EXPECT_EQ(read.facets, mesh.facets) << count << " " << index;
+      }
+}
+
+TEST(PlyBlocks, TakeRowsOfOneSizeAndLeaveAllElseAlone) {
+  const FacetMesh mesh = ball(2);
+  for (const bool list_in_vertices : {false, true})
+    for (const bool list_in_faces : {false, true}) {
+      const std::string file = ply_of(mesh, {"float", "uchar", "int", false, true, list_in_vertices, list_in_faces});
+      const PlyHeader header = read_ply_header(file, "a.ply");
+      BinaryPlyRows rows(std::string_view(file).substr(header.data_begin), false, "a.ply");
+      const std::size_t all = rows.bytes().size(), faces = mesh.size() * (13 + (list_in_faces ? 1 : 0));
+      MeshBuilder builder;
+      EXPECT_EQ(read_block(rows, header.elements[0], builder), !list_in_vertices);
+      EXPECT_EQ(rows.bytes().size(), list_in_vertices ? all : faces);
+      EXPECT_EQ(builder.position_count(), list_in_vertices ? 0 : mesh.positions.size());
+      if (list_in_vertices) continue;
+      EXPECT_EQ(read_block(rows, header.elements[1], builder), !list_in_faces);
+      EXPECT_EQ(rows.bytes().size(), list_in_faces ? faces : 0);
+      EXPECT_EQ(builder.finish().size(), list_in_faces ? 0 : mesh.size());
+    }
 }
 
 TEST(ReadPly, NamesTheFirstWrongRowOfThousands) {

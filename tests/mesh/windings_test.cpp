@@ -7,9 +7,9 @@
 namespace lrcs {
 namespace {
 
-using Facets = std::vector<std::uint32_t>;
+using FacetNumbers = std::vector<std::uint32_t>;
 
-FacetMesh strip(std::uint32_t squares, const Facets& turned) {
+FacetMesh strip(std::uint32_t squares, const FacetNumbers& turned) {
   std::vector<Vec3> positions;
   Triangles facets;
   for (std::uint32_t k = 0; k <= squares; ++k)
@@ -23,28 +23,28 @@ FacetMesh strip(std::uint32_t squares, const Facets& turned) {
 }
 
 TEST(FacetsAgainstMost, AreTheFewerOfAnOpenPiece) {
-  EXPECT_EQ(facets_against_most(strip(5, {})), Facets{});
-  EXPECT_EQ(facets_against_most(strip(5, {2, 7})), (Facets{2, 7}));
-  EXPECT_EQ(facets_against_most(strip(5, {0, 1, 2, 3, 4, 5, 6})), (Facets{7, 8, 9}));
+  EXPECT_EQ(facets_against_most(strip(5, {})), FacetNumbers{});
+  EXPECT_EQ(facets_against_most(strip(5, {2, 7})), (FacetNumbers{2, 7}));
+  EXPECT_EQ(facets_against_most(strip(5, {0, 1, 2, 3, 4, 5, 6})), (FacetNumbers{7, 8, 9}));
 }
 
 TEST(FacetsAgainstMost, FaceAgainstTheFirstWhereHalfOfThemDo) {
-  EXPECT_EQ(facets_against_most(strip(2, {0, 1})), (Facets{2, 3}));
+  EXPECT_EQ(facets_against_most(strip(2, {0, 1})), (FacetNumbers{2, 3}));
 }
 
 TEST(FacetsAgainstMost, AreSoughtPieceByPieceAndPartByPart) {
   const FacetMesh one = strip(3, {1});
   FacetMesh apart = strip(3, {0, 1, 2, 4, 5});
   for (Vec3& p : apart.positions) p.z() += 1.0;
-  EXPECT_EQ(facets_against_most(joined(one, apart)), (Facets{1, 9}));
+  EXPECT_EQ(facets_against_most(joined(one, apart)), (FacetNumbers{1, 9}));
   FacetMesh parts = strip(2, {2, 3});
   parts.part.names = {"left", "right"};
   parts.part.of = {0, 0, 1, 1};
-  EXPECT_EQ(facets_against_most(parts), Facets{});
+  EXPECT_EQ(facets_against_most(parts), FacetNumbers{});
 }
 
 TEST(FacetsAgainstMost, AreNoneOfAMoebiusBand) {
-  EXPECT_EQ(facets_against_most(moebius(9)), Facets{});
+  EXPECT_EQ(facets_against_most(moebius(9)), FacetNumbers{});
 }
 
 }  // namespace

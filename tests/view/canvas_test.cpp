@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/view/black_area.h"
 #include "view/dashes.h"
 #include "view/vtk_errors.h"
 
@@ -14,13 +15,6 @@ namespace lrcs {
 namespace {
 
 // Ink on a white sheet, in pixels fully black.
-double black_area(const Canvas& canvas) {
-  double area = 0.0;
-  const Picture picture = canvas.picture();
-  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) area += 1.0 - picture.rgb[i] / 255.0;
-  return area;
-}
-
 TEST(Canvas, FillsExactlyTheBoxBetweenPixels) {
   Canvas canvas(40, 30);
   canvas.fill({{3.25, 4.5}, {10.75, 9.25}}, black);

@@ -4,16 +4,10 @@
 
 #include <limits>
 
-#include "view/canvas.h"
+#include "tests/view/black_area.h"
 
 namespace lrcs {
 namespace {
-
-double black_area(const Canvas& canvas) {
-  double area = 0.0;
-  for (std::size_t i = 0; i < canvas.picture().rgb.size(); i += 3) area += 1.0 - canvas.picture().rgb[i] / 255.0;
-  return area;
-}
 
 TEST(Tiles, InkTheirArea) {
   Canvas canvas(60, 60);
