@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 scripts/install-deps.sh
 mkdir -p build-sanitized
-cmake -S . -B build-sanitized -G Ninja -DLRCS_SANITIZE=ON -DLRCS_TESTS=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1" >build-sanitized/configure.log 2>&1 ||
+cmake -S . -B build-sanitized -G Ninja -DLRCS_SANITIZE=ON -DLRCS_TESTS=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS="-O1 -g1" >build-sanitized/configure.log 2>&1 ||
   { cat build-sanitized/configure.log >&2; exit 1; }
 cmake --build build-sanitized -j"$(nproc)" --target lrcs_mutants
 scratch=$(mktemp -d)
