@@ -55,19 +55,10 @@ class Looking {
  public:
   Looking(const Target& target, std::span<const Estimate> seen, std::span<const SeenMiddle> middles, const Vec3& wi,
           const Vec3& wr)
-      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), tilts_(target.curved.facets().size()) {
-    constexpr double variance = 1.0 / 12.0;  // of places on a triangle, by weights whose sum is 1
-    for (const SeenMiddle& middle : middles) {
-      const std::uint32_t place = target.curved.place_of(middle.facet);
-      if (place == CurvedSurface::none) continue;
-      Tilt& tilt = tilts_[place];
-      for (std::size_t c = 0; c < 3; ++c) tilt[c] = (middle.at[c] - 1.0 / 3.0) / variance;
-      // No place counts less than nothing.
-      double least = 0.0;
-      for (const auto& at : rule_.at) least = std::min(least, tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2]);
-      if (least < -1.0)
-        for (double& t : tilt) t /= -least;
-    }
+      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), middle_(target.curved.facets().size()) {
+    for (const SeenMiddle& middle : middles)
+      if (const std::uint32_t place = target.curved.place_of(middle.facet); place != CurvedSurface::none)
+        middle_[place] = &middle;
   }
 
   // Of its sides of one material.
@@ -99,12 +90,22 @@ class Looking {
   }
 
  private:
-  // How much more of a facet is seen toward its corners than in its middle: what is seen counts as the facet with a
-  // density 1 + tilt . (weights of the corners), which has the same middle. Exact for what varies linearly.
-  using Tilt = std::array<double, 3>;
+  using Corners = std::array<std::array<double, 3>, 3>;  // places on a facet
+  static constexpr Corners all_of_it{halfway[0], halfway[1], halfway[2]};
 
-  [[nodiscard]] Tilt tilt_of(const Facet& facet, double side) const {
-    return faces(facet.facet, side) ? tilts_[target_.curved.place_of(facet.facet)] : Tilt{};
+  // A triangle that stands for what is seen of a facet seen in part: like the facet, with the area and the middle of
+  // what is seen. Exact for what varies linearly. It may reach a little over the facet's sides; the patch goes on
+  // there.
+  [[nodiscard]] Corners seen_part(const Facet& facet, double side) const {
+    const SeenMiddle* const middle = middle_[target_.curved.place_of(facet.facet)];
+    const double fraction = seen_[facet.facet].value;
+    if (middle == nullptr || facet.folded || !faces(facet.facet, side) || !(fraction > 0.0 && fraction < 1.0))
+      return all_of_it;
+    const double scale = std::sqrt(fraction);
+    Corners corners = all_of_it;
+    for (auto& corner : corners)
+      for (std::size_t c = 0; c < 3; ++c) corner[c] = middle->at[c] + scale * (corner[c] - 1.0 / 3.0);
+    return corners;
   }
 
   // The cosines that a direction has on a facet, as far as their signs go.
@@ -201,24 +202,24 @@ class Looking {
       add_planar(facet, side, reflection, sum);
       return;
     }
-    CurvedReturn whole;
-    const Tilt tilt = tilt_of(facet, side);
-    add(facet.patch, side, reflection, whole, tilt);
+    const Corners corners = seen_part(facet, side);
+    const bool is_part = corners != all_of_it;
+    CurvedReturn here;
+    add(is_part ? PatchPolynomial(facet.patch).part(corners) : facet.patch, side, reflection, here);
     const double most = reflection.model.largest();
-    if (facet.folded || tilt != Tilt{} || std::abs(whole.returned - whole.lower) <= rough * most * facet.area) {
-      sum += whole;
-      return;
+    if (!facet.folded && std::abs(here.returned - here.lower) > rough * most * facet.area) {
+      const double returned = std::exchange(here, {}).returned;
+      add_quarters(PatchPolynomial(facet.patch), corners, returned, facet.area, most_depth, side, reflection, here);
     }
-    add_quarters(PatchPolynomial(facet.patch), {halfway[0], halfway[1], halfway[2]}, whole.returned, facet.area,
-                 most_depth, side, reflection, sum);
+    if (is_part) here /= seen_[facet.facet].value;
+    sum += here;
   }
 
   // returned: of the whole, by its rule.
   template <class Model>
-  void add_quarters(const PatchPolynomial& surface, const std::array<std::array<double, 3>, 3>& corners,
-                    double returned, double area, int depth, double side, const Reflection<Model>& reflection,
-                    CurvedReturn& sum) const {
-    std::array<std::array<std::array<double, 3>, 3>, quarters.size()> parts{};
+  void add_quarters(const PatchPolynomial& surface, const Corners& corners, double returned, double area, int depth,
+                    double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
+    std::array<Corners, quarters.size()> parts{};
     std::array<CurvedReturn, quarters.size()> of_part;
     std::array<double, quarters.size()> areas{};
     CurvedReturn together;
@@ -228,7 +229,7 @@ class Looking {
           for (std::size_t j = 0; j < 3; ++j) parts[q][k][c] += halfway[quarters[q][k]][j] * corners[j][c];
       const CurvedPatch patch = surface.part(parts[q]);
       areas[q] = patch.area[0];
-      add(patch, side, reflection, of_part[q], {});
+      add(patch, side, reflection, of_part[q]);
       together += of_part[q];
     }
     const double most = reflection.model.largest();
@@ -264,8 +265,7 @@ class Looking {
   }
 
   template <class Model>
-  void add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum,
-           const Tilt& tilt) const {
+  void add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     const Vec3 wi = side * wi_, wr = side * wr_;
     Lanes area{}, cos_r{}, least{}, values{}, weight{};
     for (std::size_t k = 0; k < PatchRule::size; ++k) {
@@ -277,8 +277,7 @@ class Looking {
     reflection.at(patch, side, retro_, least, values);
     for (std::size_t k = 0; k < PatchRule::size; ++k) {
       const bool is_faced = least[k] > 0.0;
-      const auto& at = rule_.at[k];
-      const double share = is_faced ? 1.0 + tilt[0] * at[0] + tilt[1] * at[1] + tilt[2] * at[2] : 0.0;
+      const double share = is_faced ? 1.0 : 0.0;
       weight[k] = share * rule_.weight[k] * area[k];
       const double value = is_faced ? values[k] : 0.0;
       sum.returned += weight[k] * value;
@@ -308,7 +307,7 @@ class Looking {
       const std::size_t from = polygon.most_reflex();
       for (std::size_t k = 2; k < polygon.size; ++k)
         add(surface.part({polygon.corners[from].at, polygon.after(from, k - 1).at, polygon.after(from, k).at}), side,
-            reflection, sum, {});
+            reflection, sum);
     }
     // The line is interpolated: off by a part of the facet of second order in how far the facet turns.
     sum.bound += facet.spread * facet.spread * std::abs(sum.returned);
@@ -319,7 +318,7 @@ class Looking {
   std::span<const Estimate> seen_;
   const Vec3 &wi_, &wr_;
   bool retro_;
-  std::vector<Tilt> tilts_;  // one a curved facet
+  std::vector<const SeenMiddle*> middle_;  // one a curved facet
 };
 
 }  // namespace

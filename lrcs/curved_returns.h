@@ -20,6 +20,10 @@ struct CurvedReturn {
     lit_seen += more.lit_seen, seen_area += more.seen_area;
     return *this;
   }
+  CurvedReturn& operator/=(double share) {
+    returned /= share, lower /= share, bound /= share, lit_seen /= share, seen_area /= share;
+    return *this;
+  }
 };
 
 // Of all curved facets of a target, one a place of target.curved.facets().
