@@ -15,8 +15,9 @@ namespace {
 bool has_something_before_its_facets(const FacetMesh& mesh) {
   constexpr std::size_t looked_at = 8;
   std::size_t alone = mesh.curved.patches.empty() ? 0 : 1;
-  for (std::size_t k = 0; k < looked_at; ++k) {
-    const auto [a, b, c] = mesh.corners(k * mesh.size() / looked_at);
+  const std::size_t count = std::min(looked_at, mesh.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [a, b, c] = mesh.corners(k * mesh.size() / count);
     const Vec3 cross = facet_cross(a, b, c);
     const auto is_before = [&, a = a](std::uint32_t v) {
       const Vec3 terms = (mesh.positions[v] - a).cwiseProduct(cross);

@@ -50,6 +50,6 @@ struct CrossSection {
 [[nodiscard]] CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen,
                                          const Vec3& to_transmitter, const Vec3& to_receiver);
 void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
-                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenMiddle> middles = {});
+                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenPiece> pieces = {});
 
 }  // namespace lrcs

@@ -53,12 +53,14 @@ struct Reflection {
 
 class Looking {
  public:
-  Looking(const Target& target, std::span<const Estimate> seen, std::span<const SeenMiddle> middles, const Vec3& wi,
+  Looking(const Target& target, std::span<const Estimate> seen, std::span<const SeenPiece> pieces, const Vec3& wi,
           const Vec3& wr)
-      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), middle_(target.curved.facets().size()) {
-    for (const SeenMiddle& middle : middles)
-      if (const std::uint32_t place = target.curved.place_of(middle.facet); place != CurvedSurface::none)
-        middle_[place] = &middle;
+      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), pieces_(target.curved.facets().size()) {
+    for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
+      while (last < pieces.size() && pieces[last].facet == pieces[first].facet) ++last;
+      if (const std::uint32_t place = target.curved.place_of(pieces[first].facet); place != CurvedSurface::none)
+        pieces_[place] = pieces.subspan(first, last - first);
+    }
   }
 
   // Of its sides of one material.
@@ -93,18 +95,19 @@ class Looking {
   using Corners = std::array<std::array<double, 3>, 3>;  // places on a facet
   static constexpr Corners all_of_it{halfway[0], halfway[1], halfway[2]};
 
-  // A triangle that stands for what is seen of a facet seen in part: like the facet, with the area and the middle of
-  // what is seen. Exact for what varies linearly. It may reach a little over the facet's sides; the patch goes on
-  // there.
-  [[nodiscard]] Corners seen_part(const Facet& facet, double side) const {
-    const SeenMiddle* const middle = middle_[target_.curved.place_of(facet.facet)];
-    const double fraction = seen_[facet.facet].value;
-    if (middle == nullptr || facet.folded || !faces(facet.facet, side) || !(fraction > 0.0 && fraction < 1.0))
-      return all_of_it;
-    const double scale = std::sqrt(fraction);
+  // What is seen of a facet that is seen in part; nothing where that is not known better than by its fraction.
+  [[nodiscard]] std::span<const SeenPiece> pieces_of(const Facet& facet, double side) const {
+    if (facet.folded || !faces(facet.facet, side)) return {};
+    return pieces_[target_.curved.place_of(facet.facet)];
+  }
+
+  // A triangle that stands for a piece: like the facet, with the piece's area and middle, so exact for what varies
+  // linearly. It may reach a little over the facet's sides; the patch goes on there.
+  [[nodiscard]] static Corners triangle_for(const SeenPiece& piece) {
+    const double scale = std::sqrt(piece.share);
     Corners corners = all_of_it;
     for (auto& corner : corners)
-      for (std::size_t c = 0; c < 3; ++c) corner[c] = middle->at[c] + scale * (corner[c] - 1.0 / 3.0);
+      for (std::size_t c = 0; c < 3; ++c) corner[c] = piece.middle[c] + scale * (corner[c] - 1.0 / 3.0);
     return corners;
   }
 
@@ -197,22 +200,39 @@ class Looking {
 
   template <class Model>
   void add_whole(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
-    constexpr int most_depth = 3;
     if (facet.planar) {
       add_planar(facet, side, reflection, sum);
       return;
     }
-    const Corners corners = seen_part(facet, side);
-    const bool is_part = corners != all_of_it;
-    CurvedReturn here;
-    add(is_part ? PatchPolynomial(facet.patch).part(corners) : facet.patch, side, reflection, here);
-    const double most = reflection.model.largest();
-    if (!facet.folded && std::abs(here.returned - here.lower) > rough * most * facet.area) {
-      const double returned = std::exchange(here, {}).returned;
-      add_quarters(PatchPolynomial(facet.patch), corners, returned, facet.area, most_depth, side, reflection, here);
+    const auto pieces = pieces_of(facet, side);
+    if (pieces.empty()) {
+      add_part(facet, all_of_it, facet.patch, side, reflection, sum);
+      return;
     }
-    if (is_part) here /= seen_[facet.facet].value;
-    sum += here;
+    const PatchPolynomial surface(facet.patch);
+    CurvedReturn here;
+    for (const SeenPiece& piece : pieces) {
+      const Corners corners = triangle_for(piece);
+      add_part(facet, corners, surface.part(corners), side, reflection, here);
+    }
+    sum += here /= seen_[facet.facet].value;
+  }
+
+  // patch: of the part.
+  template <class Model>
+  void add_part(const Facet& facet, const Corners& corners, const CurvedPatch& patch, double side,
+                const Reflection<Model>& reflection, CurvedReturn& sum) const {
+    constexpr int most_depth = 3;
+    CurvedReturn here;
+    add(patch, side, reflection, here);
+    const double apart = std::abs(here.returned - here.lower);
+    if (facet.folded || apart <= rough * reflection.model.largest() * facet.area) {
+      sum += here;
+      return;
+    }
+    add_quarters(PatchPolynomial(facet.patch), corners, here.returned, facet.area, most_depth, side, reflection, sum);
+    // Of a piece that is seen the triangle has not the shape: quarters of it tell no more.
+    if (corners != all_of_it) sum.bound += apart;
   }
 
   // returned: of the whole, by its rule.
@@ -318,18 +338,18 @@ class Looking {
   std::span<const Estimate> seen_;
   const Vec3 &wi_, &wr_;
   bool retro_;
-  std::vector<const SeenMiddle*> middle_;  // one a curved facet
+  std::vector<std::span<const SeenPiece>> pieces_;  // one a curved facet
 };
 
 }  // namespace
 
 std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const Estimate> seen,
-                                         std::span<const SeenMiddle> middles, const Vec3& to_transmitter,
+                                         std::span<const SeenPiece> pieces, const Vec3& to_transmitter,
                                          const Vec3& to_receiver) {
   const auto& facets = target.curved.facets();
   std::vector<CurvedReturn> returns(facets.size());
   if (facets.empty()) return returns;
-  const Looking looking(target, seen, middles, to_transmitter, to_receiver);
+  const Looking looking(target, seen, pieces, to_transmitter, to_receiver);
   const auto& behind = target.back_material();
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     std::visit(

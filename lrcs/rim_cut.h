@@ -27,7 +27,8 @@ struct RimPolygon {
     return corners[(corner + steps) % size];
   }
 
-  // The corner that all others are in sight of: the most reflex one, a bend, if there is one.
+  // The corner to draw a fan of triangles from: the most reflex one, a bend, if there is one. (Of two bends, triangles
+  // that lie outside have areas below zero.)
   [[nodiscard]] std::size_t most_reflex() const {
     std::size_t most = 0;
     double least = std::numeric_limits<double>::infinity();

@@ -126,13 +126,13 @@ class Sweep {
 
   void compute(std::size_t row) {
     const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
-    auto& [seen, middles, section] = memory_.local();
+    auto& [seen, pieces, section] = memory_.local();
     VisibilityCost cost;
     if (convex_)
       seen = convex_seen_fraction(target_.mesh, di, dr);
     else
-      visibility_->seen_fraction(di, dr, seen, &cost, target_.curved.empty() ? nullptr : &middles);
-    cross_section(target_, seen, di, dr, section, middles);
+      visibility_->seen_fraction(di, dr, seen, &cost, target_.curved.empty() ? nullptr : &pieces);
+    cross_section(target_, seen, di, dr, section, pieces);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
     skipped_.free_convex_parts += cost.free_convex_parts;
@@ -197,7 +197,7 @@ class Sweep {
   std::optional<Visibility> visibility_;
   struct Memory {  // of a thread
     std::vector<Estimate> seen;
-    std::vector<SeenMiddle> middles;
+    std::vector<SeenPiece> pieces;
     CrossSection section;
   };
   tbb::enumerable_thread_specific<Memory> memory_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "lrcs/facet_piece.h"
 #include "lrcs/facet_rise.h"
 #include "lrcs/facet_view.h"
 #include "lrcs/layer_walk.h"
@@ -26,22 +27,34 @@ struct Visibility::Scratch {
   const Surface& surface;
   std::array<LayerWalk, 2> walks;  // one a viewer
   std::vector<std::uint8_t> wanted;
-  std::vector<LayerEdge> edges, turned;
+  std::vector<LayerEdge> edges, moved, turned, in_piece;
   LayerCount count;
   std::optional<FacetView> clipping;
   std::vector<Vec3> viewers;
   bool clipping_looks = false;
 
-  std::vector<SeenMiddle> middles;
+  std::vector<SeenPiece> pieces;
+
+  // What is seen of a piece of a facet: its area, integrals of u and v, and how much moved outlines changed the area.
+  struct Seen {
+    double area = 0.0, changed = 0.0;
+    Eigen::Vector2d moments = Eigen::Vector2d::Zero();
+  };
 
   void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
   void find_wanted();
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
   void add_turned(const LayerEdge& e);
-  double change_by_bends_in_v(double straight, double error, int base);
-  double change_by_bends_in_u(double straight, double error, int base);
+  void bend_edges();
+  [[nodiscard]] Seen seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& all, double error, int base);
+  [[nodiscard]] Seen seen_of(const FacetPiece& piece, double error, int base);
+  void note_pieces(std::uint32_t facet, const FacetPiece& piece, int depth, double error, int base);
   [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
-  void note_middle(std::uint32_t facet, double area);
+  // Does the surface turn on a facet? domain: is_curved().
+  [[nodiscard]] bool turns(std::uint32_t facet) const {
+    const auto& normals = surface.occluders.corner_normals[facet];
+    return normals[0] != normals[1] || normals[0] != normals[2];
+  }
   [[nodiscard]] double error_by_doubtful(std::uint32_t facet) const;
   [[nodiscard]] Estimate clipped(std::uint32_t facet);
 };
@@ -92,31 +105,68 @@ void Visibility::Scratch::add_turned(const LayerEdge& e) {
   turned.push_back({upper.v0 + bend0, upper.u0, upper.v1 + bend1, upper.u1, upper.u1 > upper.u0 ? -e.step : e.step});
 }
 
-// How moving edges along v to where outlines of curved surfaces are changes the area that is seen: u and v change
-// places.
-double Visibility::Scratch::change_by_bends_in_v(double straight, double error, int base) {
-  if (std::ranges::none_of(edges,
-                           [](const LayerEdge& e) { return e.bends_in_v && (e.bend0 != 0.0 || e.bend1 != 0.0); }))
-    return 0.0;
+// Where the outlines of curved surfaces are: `moved` along u, where that moves any; `turned` along v, where that does,
+// with u and v in each other's place. So layers stay the same along each row.
+void Visibility::Scratch::bend_edges() {
+  const auto any = [this](bool in_v) {
+    return std::ranges::any_of(
+        edges, [in_v](const LayerEdge& e) { return e.bends_in_v == in_v && (e.bend0 != 0.0 || e.bend1 != 0.0); });
+  };
+  moved.clear();
+  if (any(false)) {
+    moved = edges;
+    for (LayerEdge& e : moved)
+      if (!e.bends_in_v) e.u0 += e.bend0, e.u1 += e.bend1;
+  }
   turned.clear();
-  for (const LayerEdge& e : edges) add_turned(e);
-  return count.uncovered_area(turned, error, base) - straight;
+  if (any(true))
+    for (const LayerEdge& e : edges) add_turned(e);
 }
 
-// The same along u: these stay moved, and the count knows the middle of what is seen.
-double Visibility::Scratch::change_by_bends_in_u(double straight, double error, int base) {
-  for (LayerEdge& e : edges)
-    if (!e.bends_in_v) e.u0 += e.bend0, e.u1 += e.bend1;
-  return count.uncovered_area(edges, error, base, true) - straight;
+Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& all,
+                                                       double error, int base) {
+  in_piece.clear();
+  for (const LayerEdge& e : all) in_piece.push_back(piece.within(e));
+  Seen seen;
+  const double area = count.uncovered_area(in_piece, error / piece.size, base, true), scale = piece.size * piece.size;
+  seen.area = scale * area;
+  if (area > 0.0) seen.moments = seen.area * piece.on_facet(count.moments() / area);
+  return seen;
 }
 
-// area: of what is seen, the last that was counted.
-void Visibility::Scratch::note_middle(std::uint32_t facet, double area) {
-  if (!(area > 0.0)) return;
-  const Eigen::Vector2d uv = count.moments() / area;
-  std::array<double, 3> at{1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
-  std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
-  middles.push_back({surface.occluders.original[facet], at});
+// Changes along u and along v add up, to first order.
+Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, double error, int base) {
+  const Seen straight = seen_of(piece, edges, error, base);
+  Seen seen = straight;
+  const auto add_change = [&](double area, const Eigen::Vector2d& moments) {
+    seen.area += area - straight.area;
+    seen.moments += moments - straight.moments;
+    seen.changed += std::abs(area - straight.area);
+  };
+  if (!moved.empty()) {
+    const Seen along_u = seen_of(piece, moved, error, base);
+    add_change(along_u.area, along_u.moments);
+  }
+  if (!turned.empty()) {
+    const Seen along_v = seen_of(piece.turned(), turned, error, base);
+    add_change(along_v.area, {along_v.moments.y(), along_v.moments.x()});
+  }
+  return seen;
+}
+
+void Visibility::Scratch::note_pieces(std::uint32_t facet, const FacetPiece& piece, int depth, double error, int base) {
+  for (const FacetPiece& quarter : piece.quarters()) {
+    const Seen seen = seen_of(quarter, error, base);
+    if (!(seen.area > error)) continue;
+    if (depth > 1 && seen.area < quarter.area() - error) {
+      note_pieces(facet, quarter, depth - 1, error, base);
+      continue;
+    }
+    const Eigen::Vector2d middle = quarter.nearest_within(seen.moments / seen.area);
+    std::array<double, 3> at{1.0 - middle.x() - middle.y(), middle.x(), middle.y()};
+    std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
+    pieces.push_back({surface.occluders.original[facet], 2.0 * std::min(seen.area, quarter.area()), at});
+  }
 }
 
 std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
@@ -145,11 +195,13 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   double fraction = 2.0 * straight;
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
   if (is_curved()) {
-    const double in_v = change_by_bends_in_v(straight, error, base);
-    const double in_u = change_by_bends_in_u(straight, error, base);
-    bound += bend_doubt * 2.0 * (std::abs(in_u) + std::abs(in_v));
-    fraction += 2.0 * (in_u + in_v);
-    if (fraction > 0.0 && fraction < 1.0) note_middle(facet, straight + in_u);
+    bend_edges();
+    if (!moved.empty() || !turned.empty()) {
+      const Seen seen = seen_of({}, error, base);
+      bound += bend_doubt * 2.0 * seen.changed;
+      fraction = 2.0 * seen.area;
+    }
+    if (fraction > 0.0 && fraction < 1.0 && turns(facet)) note_pieces(facet, {}, 2, error, base);
   }
   return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};
 }
@@ -202,7 +254,7 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
 }
 
 void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                               VisibilityCost* cost, std::vector<SeenMiddle>* middles) const {
+                               VisibilityCost* cost, std::vector<SeenPiece>* pieces) const {
   std::unique_ptr<Scratch>& scratch = scratch_.local();
   if (!scratch) scratch = std::make_unique<Scratch>(*surface_);
   scratch->look_along(to_transmitter, to_receiver);
@@ -214,7 +266,7 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     spent.free_convex_parts += scratch->walks[k].free_parts().free_convex_parts();
     spent.other_free_parts += scratch->walks[k].free_parts().other_free_parts();
   }
-  scratch->middles.clear();
+  scratch->pieces.clear();
   fraction.assign(facets_, {});
   const auto& occluders = surface_->occluders;
   for (std::uint32_t f = 0; f < occluders.size(); ++f) {
@@ -233,7 +285,7 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     }
   }
   if (cost != nullptr) *cost = spent;
-  if (middles != nullptr) *middles = scratch->middles;
+  if (pieces != nullptr) *pieces = scratch->pieces;
 }
 
 std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_transmitter, const Vec3& to_receiver) const {

@@ -26,11 +26,12 @@ struct VisibilityCost {
   std::size_t other_free_parts = 0;
 };
 
-// Where on a facet of a curved surface that is seen in part the middle of the part that is seen lies: weights of the
-// mesh facet's corners.
-struct SeenMiddle {
+// What is seen of a facet of a curved surface that is seen in part, in pieces of a quarter of the facet and less: what
+// share of the facet's area each is, and where its middle lies (weights of the mesh facet's corners).
+struct SeenPiece {
   std::uint32_t facet;
-  std::array<double, 3> at;
+  double share;
+  std::array<double, 3> middle;
 };
 
 // Which part of every facet the transmitter lights AND the receiver sees, exactly.
@@ -62,9 +63,9 @@ class Visibility {
   [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                     VisibilityCost* cost = nullptr) const;
   // Into memory that is there already: for many facets it takes long to be had anew. Of a mesh with curved facets, with
-  // the middles of what is seen of those seen in part.
+  // the pieces that are seen of those seen in part, facet by facet.
   void seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                     VisibilityCost* cost = nullptr, std::vector<SeenMiddle>* middles = nullptr) const;
+                     VisibilityCost* cost = nullptr, std::vector<SeenPiece>* pieces = nullptr) const;
 
   // The same by clipping every facet: slow, the oracle for tests.
   [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,

@@ -11,5 +11,9 @@ namespace lrcs {
 // with it, is for the row by row way to find.
 // domain: rows stands at the element's first row; an element of a header that mesh/read_ply.cpp has checked.
 [[nodiscard]] bool read_block(BinaryPlyRows& rows, const PlyElement& element, MeshBuilder& builder);
+// There is none through text.
+[[nodiscard]] inline bool read_block(TextPlyRows& /*rows*/, const PlyElement& /*element*/, MeshBuilder& /*builder*/) {
+  return false;
+}
 
 }  // namespace lrcs

@@ -158,10 +158,6 @@ class PlyFaces {
   std::size_t row_ = 0;
 };
 
-bool read_block(TextPlyRows& /*rows*/, const PlyElement& /*element*/, MeshBuilder& /*builder*/) {
-  return false;
-}
-
 template <class Rows>
 FacetMesh read_rows(Rows rows, const PlyHeader& header, std::size_t bytes, FileNormals* normals) {
   MeshBuilder builder;

@@ -16,5 +16,9 @@ sed -n 's|.*"file": "\(.*\)".*|\1|p' build/style/compile_commands.json | grep -v
 grep '\.whole\.cpp$' build/style/files | while read -r unit; do
   sed -n 's|#include "\(.*\)"|\1|p' "${unit%.whole.cpp}.cxx" | xargs cat >"$unit"
 done
+# Every source must be among them, by itself or within a unit.
+{ grep -v '\.whole\.cpp$' build/style/files; sed -n 's|#include "\(.*\)"|\1|p' $(sed -n 's|\.whole\.cpp$|.cxx|p' build/style/files); } | sort -u >build/style/read
+git ls-files '*.cpp' | grep -v -E '^(tests|examples)/' | sed "s|^|$PWD/|" | sort | comm -23 - build/style/read >build/style/unread
+[ ! -s build/style/unread ] || { echo "not read, for want of a target:" >&2; cat build/style/unread >&2; exit 1; }
 xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/style --quiet --warnings-as-errors='*' <build/style/files >"$log" 2>&1 ||
   { grep -v -E '^[0-9]+ warnings|^Suppressed|^Use -' "$log" >&2; exit 1; }

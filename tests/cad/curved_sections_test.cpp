@@ -139,13 +139,15 @@ TEST(CurvedSections, SigmaOfAShadedTorusIsRightToAHundredThousandth) {
   for (const auto& [name, brdf] : materials())
     for (const AspectAngles& from :
          {AspectAngles{10, 45}, AspectAngles{20, 35}, AspectAngles{100, 25}, AspectAngles{70, 20}, AspectAngles{33, 15},
-          AspectAngles{5, 12}, AspectAngles{0, 7}, AspectAngles{14, 7}, AspectAngles{37, 3}, AspectAngles{50, 0}}) {
+          AspectAngles{5, 12}, AspectAngles{0, 11}, AspectAngles{80, 9}, AspectAngles{14, 7}, AspectAngles{37, 3},
+          AspectAngles{20, 1}, AspectAngles{0, 0}, AspectAngles{50, 0}}) {
       const double exact = torus.sigma(brdf, direction_of(from));
       const Estimate sigma = sigma_of(target, brdf, aspect_between(from, from));
       // Not in the plane of the ring, where its far side is seen just over the near one; nor where the shadow's edge
       // runs through a lobe no wider than a facet.
       const double up = from.elevation_deg;
-      const double error = up == 0.0 ? 1.2e-4 : name == "narrow lobe" && up == 12.0 ? 2e-4 : 1e-5;
+      const bool in_lobe = name == "narrow lobe" && up > 8.0 && up < 15.0;
+      const double error = up == 0.0 ? 1.6e-4 : in_lobe ? 3e-5 : 1e-5;
       EXPECT_NEAR(sigma.value, exact, error * exact) << name << ", elevation " << from.elevation_deg;
       EXPECT_NEAR(sigma.value, exact, sigma.bound) << name << ", elevation " << from.elevation_deg;
     }

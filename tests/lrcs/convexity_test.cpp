@@ -103,7 +103,6 @@ TEST(IsConvexBody, FailsForWhatIsOpenInwardDentedOrNotOneBody) {
   EXPECT_FALSE(is_convex_body(plate));
 }
 
-// Every edge bends back and the middle is behind every facet, and yet the surface goes round twice and meets itself.
 // A ball whose normals are its own, two facets of which share the wrong diagonal and so bend forward.
 FacetMesh ball_with_a_forward_bend(double of_the_radius = 1.0) {
   FacetMesh ball = icosphere(3);
@@ -133,6 +132,7 @@ TEST(IsConvexBody, HoldsForACurvedBodyWhoseFacetsBendForwardWhereItsSurfaceDoesN
   EXPECT_FALSE(is_convex_body(ball_with_a_forward_bend(0.8)));  // whatever its normals say
 }
 
+// Every edge bends back and the middle is behind every facet, and yet the surface goes round twice and meets itself.
 TEST(IsConvexBody, FailsForAStarWoundTwice) {
   EXPECT_FALSE(is_convex_body(bipyramid(5, 2)));
   EXPECT_FALSE(is_convex_body(bipyramid(7, 3)));

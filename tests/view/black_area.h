@@ -3,7 +3,7 @@
 
 namespace lrcs {
 
-// What the red channel lacks to white, summed over the picture [pixel].
+// Ink on a white sheet, in pixels fully black.
 inline double black_area(const Canvas& canvas) {
   double area = 0.0;
   const Picture picture = canvas.picture();

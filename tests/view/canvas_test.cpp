@@ -14,7 +14,6 @@
 namespace lrcs {
 namespace {
 
-// Ink on a white sheet, in pixels fully black.
 TEST(Canvas, FillsExactlyTheBoxBetweenPixels) {
   Canvas canvas(40, 30);
   canvas.fill({{3.25, 4.5}, {10.75, 9.25}}, black);
