@@ -48,7 +48,7 @@ struct Visibility::Scratch {
   void bend_edges();
   [[nodiscard]] Seen seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& all, double error, int base);
   [[nodiscard]] Seen seen_of(const FacetPiece& piece, double error, int base);
-  void note_pieces(std::uint32_t facet, const FacetPiece& piece, int depth, double error, int base);
+  void note_pieces(std::uint32_t facet, double error, int base);
   [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
   // Does the surface turn on a facet? domain: is_curved().
   [[nodiscard]] bool turns(std::uint32_t facet) const {
@@ -136,6 +136,7 @@ Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, 
 
 // Changes along u and along v add up, to first order.
 Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, double error, int base) {
+  if (piece.size < 1.0 && turned.empty()) return seen_of(piece, moved.empty() ? edges : moved, error, base);
   const Seen straight = seen_of(piece, edges, error, base);
   Seen seen = straight;
   const auto add_change = [&](double area, const Eigen::Vector2d& moments) {
@@ -154,14 +155,10 @@ Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, 
   return seen;
 }
 
-void Visibility::Scratch::note_pieces(std::uint32_t facet, const FacetPiece& piece, int depth, double error, int base) {
-  for (const FacetPiece& quarter : piece.quarters()) {
+void Visibility::Scratch::note_pieces(std::uint32_t facet, double error, int base) {
+  for (const FacetPiece& quarter : FacetPiece().quarters()) {
     const Seen seen = seen_of(quarter, error, base);
     if (!(seen.area > error)) continue;
-    if (depth > 1 && seen.area < quarter.area() - error) {
-      note_pieces(facet, quarter, depth - 1, error, base);
-      continue;
-    }
     const Eigen::Vector2d middle = quarter.nearest_within(seen.moments / seen.area);
     std::array<double, 3> at{1.0 - middle.x() - middle.y(), middle.x(), middle.y()};
     std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
@@ -201,7 +198,7 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
       bound += bend_doubt * 2.0 * seen.changed;
       fraction = 2.0 * seen.area;
     }
-    if (fraction > 0.0 && fraction < 1.0 && turns(facet)) note_pieces(facet, {}, 2, error, base);
+    if (fraction > 0.0 && fraction < 1.0 && turns(facet)) note_pieces(facet, error, base);
   }
   return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};
 }

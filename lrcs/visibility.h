@@ -26,7 +26,7 @@ struct VisibilityCost {
   std::size_t other_free_parts = 0;
 };
 
-// What is seen of a facet of a curved surface that is seen in part, in pieces of a quarter of the facet and less: what
+// What is seen of a facet of a curved surface that is seen in part, in pieces, one a quarter of the facet: what
 // share of the facet's area each is, and where its middle lies (weights of the mesh facet's corners).
 struct SeenPiece {
   std::uint32_t facet;
