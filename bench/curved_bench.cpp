@@ -64,7 +64,7 @@ std::vector<Aspect> round_aspects() {
   std::vector<Aspect> aspects;
   for (int k = 0; k < 16; ++k) {
     const AspectAngles angles{22.5 * k, 20.0};
-    aspects.push_back({angles, angles, direction_of(angles), direction_of(angles)});
+    aspects.push_back(aspect_between(angles, angles));
   }
   return aspects;
 }

@@ -297,11 +297,10 @@ class Looking {
     reflection.at(patch, side, retro_, least, values);
     for (std::size_t k = 0; k < PatchRule::size; ++k) {
       const bool is_faced = least[k] > 0.0;
-      const double share = is_faced ? 1.0 : 0.0;
-      weight[k] = share * rule_.weight[k] * area[k];
+      weight[k] = is_faced ? rule_.weight[k] * area[k] : 0.0;
       const double value = is_faced ? values[k] : 0.0;
       sum.returned += weight[k] * value;
-      sum.lower += share * rule_.lower[k] * area[k] * value;
+      sum.lower += rule_.lower[k] * area[k] * value;
       sum.lit_seen += weight[k];
       sum.seen_area += weight[k] * cos_r[k];
       sum.bound += std::abs(weight[k] * value) * grazing_error(least[k]);

@@ -7,22 +7,15 @@
 
 namespace lrcs {
 
-// A triangle that a facet falls into when it is quartered, and quartered again, in the facet's coordinates (u, v): its
-// corners are (u, v), (u + size, v), (u, v + size), or, inverted, (u + size, v + size), (u, v + size), (u + size, v).
+// A quarter of a facet, in the facet's coordinates (u, v): its corners are (u, v), (u + size, v), (u, v + size), or, of
+// the one in the middle, (u + size, v + size), (u, v + size), (u + size, v).
 struct FacetPiece {
-  double u = 0.0, v = 0.0, size = 1.0;
+  double u, v;
   bool inverted = false;
 
-  // [1] of the unit triangle's, 1/2.
-  [[nodiscard]] double area() const { return 0.5 * size * size; }
-
-  [[nodiscard]] std::array<FacetPiece, 4> quarters() const {
-    const double half = 0.5 * size, own = inverted ? half : 0.0;  // the corner quarter and the one that lies turned
-    return {{{u + half, v, half, inverted},
-             {u, v + half, half, inverted},
-             {u + own, v + own, half, inverted},
-             {u + own, v + own, half, !inverted}}};
-  }
+  static constexpr double size = 0.5;
+  static constexpr double area = 0.5 * size * size;  // the facet's: 1/2
+  static const std::array<FacetPiece, 4> quarters;
 
   // The piece as if it were the facet: rows of equal v stay rows, and what is left stays left.
   [[nodiscard]] LayerEdge within(const LayerEdge& edge) const {
@@ -52,7 +45,10 @@ struct FacetPiece {
   }
 
   // With u and v in each other's place.
-  [[nodiscard]] FacetPiece turned() const { return {v, u, size, inverted}; }
+  [[nodiscard]] FacetPiece turned() const { return {v, u, inverted}; }
 };
+
+inline constexpr std::array<FacetPiece, 4> FacetPiece::quarters{
+    {{0.0, 0.0}, {size, 0.0}, {0.0, size}, {0.0, 0.0, true}}};
 
 }  // namespace lrcs

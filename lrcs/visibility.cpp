@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "lrcs/facet_piece.h"
 #include "lrcs/facet_rise.h"
@@ -35,9 +36,9 @@ struct Visibility::Scratch {
 
   std::vector<SeenPiece> pieces;
 
-  // What is seen of a piece of a facet: its area, integrals of u and v, and how much moved outlines changed the area.
+  // What is seen of a piece of a facet: its area, and integrals of u and v over it.
   struct Seen {
-    double area = 0.0, changed = 0.0;
+    double area = 0.0;
     Eigen::Vector2d moments = Eigen::Vector2d::Zero();
   };
 
@@ -46,7 +47,7 @@ struct Visibility::Scratch {
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
   void add_turned(const LayerEdge& e);
   void bend_edges();
-  [[nodiscard]] Seen seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& all, double error, int base);
+  [[nodiscard]] Seen counted(const FacetPiece& piece, const std::vector<LayerEdge>& all, double error, int base);
   [[nodiscard]] Seen seen_of(const FacetPiece& piece, double error, int base);
   void note_pieces(std::uint32_t facet, double error, int base);
   [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
@@ -123,7 +124,7 @@ void Visibility::Scratch::bend_edges() {
     for (const LayerEdge& e : edges) add_turned(e);
 }
 
-Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& all,
+Visibility::Scratch::Seen Visibility::Scratch::counted(const FacetPiece& piece, const std::vector<LayerEdge>& all,
                                                        double error, int base) {
   in_piece.clear();
   for (const LayerEdge& e : all) in_piece.push_back(piece.within(e));
@@ -136,33 +137,22 @@ Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, 
 
 // Changes along u and along v add up, to first order.
 Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, double error, int base) {
-  if (piece.size < 1.0 && turned.empty()) return seen_of(piece, moved.empty() ? edges : moved, error, base);
-  const Seen straight = seen_of(piece, edges, error, base);
-  Seen seen = straight;
-  const auto add_change = [&](double area, const Eigen::Vector2d& moments) {
-    seen.area += area - straight.area;
-    seen.moments += moments - straight.moments;
-    seen.changed += std::abs(area - straight.area);
-  };
-  if (!moved.empty()) {
-    const Seen along_u = seen_of(piece, moved, error, base);
-    add_change(along_u.area, along_u.moments);
-  }
-  if (!turned.empty()) {
-    const Seen along_v = seen_of(piece.turned(), turned, error, base);
-    add_change(along_v.area, {along_v.moments.y(), along_v.moments.x()});
-  }
-  return seen;
+  if (turned.empty()) return counted(piece, moved.empty() ? edges : moved, error, base);
+  Seen seen = counted(piece.turned(), turned, error, base);
+  std::swap(seen.moments.x(), seen.moments.y());
+  if (moved.empty()) return seen;
+  const Seen straight = counted(piece, edges, error, base), along_u = counted(piece, moved, error, base);
+  return {seen.area + (along_u.area - straight.area), seen.moments + (along_u.moments - straight.moments)};
 }
 
 void Visibility::Scratch::note_pieces(std::uint32_t facet, double error, int base) {
-  for (const FacetPiece& quarter : FacetPiece().quarters()) {
+  for (const FacetPiece& quarter : FacetPiece::quarters) {
     const Seen seen = seen_of(quarter, error, base);
     if (!(seen.area > error)) continue;
     const Eigen::Vector2d middle = quarter.nearest_within(seen.moments / seen.area);
     std::array<double, 3> at{1.0 - middle.x() - middle.y(), middle.x(), middle.y()};
     std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
-    pieces.push_back({surface.occluders.original[facet], 2.0 * std::min(seen.area, quarter.area()), at});
+    pieces.push_back({surface.occluders.original[facet], 2.0 * std::min(seen.area, quarter.area), at});
   }
 }
 
@@ -193,11 +183,10 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
   if (is_curved()) {
     bend_edges();
-    if (!moved.empty() || !turned.empty()) {
-      const Seen seen = seen_of({}, error, base);
-      bound += bend_doubt * 2.0 * seen.changed;
-      fraction = 2.0 * seen.area;
-    }
+    const double in_u = moved.empty() ? 0.0 : count.uncovered_area(moved, error, base) - straight;
+    const double in_v = turned.empty() ? 0.0 : count.uncovered_area(turned, error, base) - straight;
+    bound += bend_doubt * 2.0 * (std::abs(in_u) + std::abs(in_v));
+    fraction += 2.0 * (in_u + in_v);
     if (fraction > 0.0 && fraction < 1.0 && turns(facet)) note_pieces(facet, error, base);
   }
   return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};

@@ -13,11 +13,12 @@ trap 'rm -f "$log"' EXIT
 mkdir -p build/style
 sed 's|_cxx\.cxx\([" ]\)|_cxx.whole.cpp\1|g' build/compile_commands.json >build/style/compile_commands.json
 sed -n 's|.*"file": "\(.*\)".*|\1|p' build/style/compile_commands.json | grep -v "^$PWD/\(build/\)\?tests/" | sort -u >build/style/files
-grep '\.whole\.cpp$' build/style/files | while read -r unit; do
-  sed -n 's|#include "\(.*\)"|\1|p' "${unit%.whole.cpp}.cxx" | xargs cat >"$unit"
+sed '/\.whole\.cpp$/d' build/style/files >build/style/read
+sed -n '/\.whole\.cpp$/p' build/style/files | while read -r unit; do
+  sed -n 's|#include "\(.*\)"|\1|p' "${unit%.whole.cpp}.cxx" | tee -a build/style/read | xargs cat >"$unit"
 done
 # Every source must be among them, by itself or within a unit.
-{ grep -v '\.whole\.cpp$' build/style/files; sed -n 's|#include "\(.*\)"|\1|p' $(sed -n 's|\.whole\.cpp$|.cxx|p' build/style/files); } | sort -u >build/style/read
+sort -o build/style/read build/style/read
 git ls-files '*.cpp' | grep -v -E '^(tests|examples)/' | sed "s|^|$PWD/|" | sort | comm -23 - build/style/read >build/style/unread
 [ ! -s build/style/unread ] || { echo "not read, for want of a target:" >&2; cat build/style/unread >&2; exit 1; }
 xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/style --quiet --warnings-as-errors='*' <build/style/files >"$log" 2>&1 ||
