@@ -1,7 +1,10 @@
 #include "bench/curved_bodies.h"
 
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <numbers>
 
 #include "cad/read_target.h"
@@ -18,13 +21,17 @@ namespace {
 constexpr double m = 1000.0;  // [mm]
 constexpr double pi = std::numbers::pi;
 
-CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const RoundSurface& surface, const Brdf& brdf,
-                   const std::vector<Aspect>& aspects) {
+std::string step_of(const TopoDS_Shape& shape) {
   const ScratchFolder folder;
   MadeCad cad;
   cad.product(shape, "body");
   cad.write_step(folder.path() / "body.step");
-  CurvedBody body{name, folder.read("body.step"), aspects, {}};
+  return folder.read("body.step");
+}
+
+CurvedBody body_of(const std::string& name, const TopoDS_Shape& shape, const RoundSurface& surface, const Brdf& brdf,
+                   const std::vector<Aspect>& aspects) {
+  CurvedBody body{name, step_of(shape), aspects, {}};
   for (const Aspect& a : aspects) body.sigma.push_back(unshaded_sigma(surface, brdf, a.to_transmitter, a.to_receiver));
   return body;
 }
@@ -44,6 +51,18 @@ std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
           body_of("cone", BRepPrimAPI_MakeCone(m, 0, 3 * m).Shape(), cone, brdf, all_round),
           body_of("torus", BRepPrimAPI_MakeTorus(m, 0.4 * m).Shape(), torus_surface(1, 0.4), brdf, from_above),
           body_of("ellipsoid", ellipsoid_of(m, 1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), brdf, all_round)};
+}
+
+CurvedBody planar_body() {
+  constexpr int along = 12;
+  TopoDS_Compound boxes;
+  BRep_Builder builder;
+  builder.MakeCompound(boxes);
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < along; ++j)
+      builder.Add(
+          boxes, BRepPrimAPI_MakeBox(gp_Pnt(i * m, j * m, 0), 0.6 * m, 0.7 * m, (1 + (3 * i + 5 * j) % 4) * m).Shape());
+  return {"boxes", step_of(boxes), {}, {}};
 }
 
 Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const Brdf& brdf) {

@@ -8,6 +8,7 @@
 #include "base/compensated_sum.h"
 #include "lrcs/curved_returns.h"
 #include "lrcs/return_error.h"
+#include "lrcs/seen_parts.h"
 
 namespace lrcs {
 namespace {
@@ -64,9 +65,9 @@ CrossSection cross_section(const Target& target, const Visibility& visibility, c
                            const Vec3& to_receiver) {
   CrossSection result;
   std::vector<Estimate> seen;
-  std::vector<SeenPiece> pieces;
-  visibility.seen_fraction(to_transmitter, to_receiver, seen, nullptr, &pieces);
-  cross_section(target, seen, to_transmitter, to_receiver, result, pieces);
+  SeenParts parts;
+  visibility.seen_fraction(to_transmitter, to_receiver, seen, nullptr, &parts);
+  cross_section(target, seen, to_transmitter, to_receiver, result, &parts);
   return result;
 }
 
@@ -78,7 +79,7 @@ CrossSection cross_section(const Target& target, const std::vector<Estimate>& se
 }
 
 void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
-                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenPiece> pieces) {
+                   const Vec3& to_receiver, CrossSection& result, SeenParts* parts) {
   const std::size_t facets = target.mesh.size();
   auto& reflected = result.facet_sigma;
   reflected.assign(facets, 0.0);
@@ -87,7 +88,7 @@ void cross_section(const Target& target, const std::vector<Estimate>& seen, cons
     reflect(target, m, to_transmitter, to_receiver, seen, reflected, lobes);
   const double of_pair = pair_error(target.materials, to_transmitter, to_receiver);
 
-  const auto curved = curved_returns(target, seen, pieces, to_transmitter, to_receiver);
+  const auto curved = curved_returns(target, seen, parts, to_transmitter, to_receiver);
   result.seen_fraction.resize(facets);
   CompensatedSum sigma, bound, seen_area, remains, squares;
   for (std::size_t k = 0; k < facets; ++k) {

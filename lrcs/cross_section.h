@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/estimate.h"
@@ -50,6 +49,6 @@ struct CrossSection {
 [[nodiscard]] CrossSection cross_section(const Target& target, const std::vector<Estimate>& seen,
                                          const Vec3& to_transmitter, const Vec3& to_receiver);
 void cross_section(const Target& target, const std::vector<Estimate>& seen, const Vec3& to_transmitter,
-                   const Vec3& to_receiver, CrossSection& result, std::span<const SeenPiece> pieces = {});
+                   const Vec3& to_receiver, CrossSection& result, SeenParts* parts = nullptr);
 
 }  // namespace lrcs

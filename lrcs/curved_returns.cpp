@@ -10,6 +10,7 @@
 #include "brdf/retro_form.h"
 #include "lrcs/return_error.h"
 #include "lrcs/rim_cut.h"
+#include "lrcs/stand_in.h"
 
 namespace lrcs {
 namespace {
@@ -53,20 +54,19 @@ struct Reflection {
 
 class Looking {
  public:
-  Looking(const Target& target, std::span<const Estimate> seen, std::span<const SeenPiece> pieces, const Vec3& wi,
-          const Vec3& wr)
-      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), pieces_(target.curved.facets().size()) {
-    for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
-      while (last < pieces.size() && pieces[last].facet == pieces[first].facet) ++last;
-      if (const std::uint32_t place = target.curved.place_of(pieces[first].facet); place != CurvedSurface::none)
-        pieces_[place] = pieces.subspan(first, last - first);
-    }
+  Looking(const Target& target, std::span<const Estimate> seen, SeenParts* parts, const Vec3& wi, const Vec3& wr)
+      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), parts_(parts) {
+    if (parts == nullptr) return;
+    part_of_.resize(target.curved.facets().size());
+    for (const SeenParts::Part& part : parts->parts())
+      if (const std::uint32_t place = target.curved.place_of(part.facet); place != CurvedSurface::none)
+        part_of_[place] = &part;
   }
 
   // Of its sides of one material.
   template <class Model>
   CurvedReturn at(const Facet& facet, std::uint32_t material, const Reflection<Model>& seen,
-                  const Reflection<Model>& unseen) const {
+                  const Reflection<Model>& unseen) {
     CurvedReturn sum;
     const Facing facing = facing_of(facet);
     for (const double side : {1.0, -1.0}) {
@@ -79,7 +79,7 @@ class Looking {
       CurvedReturn here;
       // Rounding does not matter: what is cut where it need not be is cut at its rim.
       if (facing.is_whole() || facet.folded || facet.planar)
-        add_whole(facet, side, reflection, here);
+        add_whole(facet, side, part_of(facet, fraction), reflection, here);
       else
         add_cut(facet, side, reflection, here);
       sum.returned += fraction.value * here.returned;
@@ -92,23 +92,10 @@ class Looking {
   }
 
  private:
-  using Corners = std::array<std::array<double, 3>, 3>;  // places on a facet
-  static constexpr Corners all_of_it{halfway[0], halfway[1], halfway[2]};
-
-  // What is seen of a facet that is seen in part; nothing where that is not known better than by its fraction.
-  [[nodiscard]] std::span<const SeenPiece> pieces_of(const Facet& facet, double side) const {
-    if (facet.folded || !faces(facet.facet, side)) return {};
-    return pieces_[target_.curved.place_of(facet.facet)];
-  }
-
-  // A triangle that stands for a piece: like the facet, with the piece's area and middle, so exact for what varies
-  // linearly. It may reach a little over the facet's sides; the patch goes on there.
-  [[nodiscard]] static Corners triangle_for(const SeenPiece& piece) {
-    const double scale = std::sqrt(piece.share);
-    Corners corners = all_of_it;
-    for (auto& corner : corners)
-      for (std::size_t c = 0; c < 3; ++c) corner[c] = piece.middle[c] + scale * (corner[c] - 1.0 / 3.0);
-    return corners;
+  // What is seen of a facet that is seen in part; null where that is not known better than by its fraction.
+  [[nodiscard]] const SeenParts::Part* part_of(const Facet& facet, const Estimate& fraction) const {
+    if (part_of_.empty() || facet.folded || fraction.value != seen_[facet.facet].value) return nullptr;
+    return part_of_[target_.curved.place_of(facet.facet)];
   }
 
   // The cosines that a direction has on a facet, as far as their signs go.
@@ -158,7 +145,7 @@ class Looking {
     if (is_faced && facing.is_clear(side)) return own;
     const auto beside = fraction_beside(facet, side);
     if (!beside) return own;
-    if (!is_faced) return *beside;
+    if (!is_faced || own.bound >= 1.0) return *beside;  // turned away, or edge-on
     const double apart = std::abs(beside->value - own.value);
     const double value = beside->value == 1.0 && own.value > 0.5 ? 1.0 : own.value;
     return {value, std::max(own.bound, apart)};
@@ -199,75 +186,94 @@ class Looking {
   static constexpr double rough = 1e-5, alike = 1e-6;
 
   template <class Model>
-  void add_whole(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
+  void add_whole(const Facet& facet, double side, const SeenParts::Part* part, const Reflection<Model>& reflection,
+                 CurvedReturn& sum) {
     if (facet.planar) {
       add_planar(facet, side, reflection, sum);
       return;
     }
-    const auto pieces = pieces_of(facet, side);
-    if (pieces.empty()) {
-      add_part(facet, all_of_it, facet.patch, side, reflection, sum);
-      return;
-    }
-    const PatchPolynomial surface(facet.patch);
-    CurvedReturn here;
-    for (const SeenPiece& piece : pieces) {
-      const Corners corners = triangle_for(piece);
-      add_part(facet, corners, surface.part(corners), side, reflection, here);
-    }
-    sum += here /= seen_[facet.facet].value;
-  }
-
-  // patch: of the part.
-  template <class Model>
-  void add_part(const Facet& facet, const Corners& corners, const CurvedPatch& patch, double side,
-                const Reflection<Model>& reflection, CurvedReturn& sum) const {
     constexpr int most_depth = 3;
+    std::optional<PatchPolynomial> surface;
     CurvedReturn here;
-    add(patch, side, reflection, here);
-    const double apart = std::abs(here.returned - here.lower);
-    if (facet.folded || apart <= rough * reflection.model.largest() * facet.area) {
-      sum += here;
-      return;
+    if (part != nullptr) {
+      surface.emplace(facet.patch);
+      add(seen_patch(*surface, {}, part->seen, part->first_corner), side, reflection, here);
+    } else {
+      add(facet.patch, side, reflection, here);
     }
-    add_quarters(PatchPolynomial(facet.patch), corners, here.returned, facet.area, most_depth, side, reflection, sum);
-    // Of a piece that is seen the triangle has not the shape: quarters of it tell no more.
-    if (corners != all_of_it) sum.bound += apart;
+    if (!facet.folded && is_rough(here, facet, 1.0, reflection)) {
+      if (!surface) surface.emplace(facet.patch);
+      const double returned = here.returned;
+      here = {};
+      add_quarters(facet, *surface, {}, part, returned, most_depth, side, reflection, here);
+    }
+    if (part != nullptr) here /= seen_[facet.facet].value;
+    sum += here;
   }
 
-  // returned: of the whole, by its rule.
+  // Do the rules of two degrees differ over a piece that is such a share of the facet?
   template <class Model>
-  void add_quarters(const PatchPolynomial& surface, const Corners& corners, double returned, double area, int depth,
-                    double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
-    std::array<Corners, quarters.size()> parts{};
-    std::array<CurvedReturn, quarters.size()> of_part;
-    std::array<double, quarters.size()> areas{};
+  [[nodiscard]] static bool is_rough(const CurvedReturn& piece, const Facet& facet, double share,
+                                     const Reflection<Model>& reflection) {
+    return std::abs(piece.returned - piece.lower) > rough * reflection.model.largest() * share * facet.area;
+  }
+
+  // part: what is seen of the facet, or null: all of it. returned: of the whole piece, by its rule.
+  template <class Model>
+  void add_quarters(const Facet& facet, const PatchPolynomial& surface, const FacetPiece& piece,
+                    const SeenParts::Part* part, double returned, int depth, double side,
+                    const Reflection<Model>& reflection, CurvedReturn& sum) {
+    const auto quarters = piece.quarters();
+    std::array<CurvedReturn, 4> of_part;
     CurvedReturn together;
     for (std::size_t q = 0; q < quarters.size(); ++q) {
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t c = 0; c < 3; ++c)
-          for (std::size_t j = 0; j < 3; ++j) parts[q][k][c] += halfway[quarters[q][k]][j] * corners[j][c];
-      const CurvedPatch patch = surface.part(parts[q]);
-      areas[q] = patch.area[0];
-      add(patch, side, reflection, of_part[q]);
+      if (part == nullptr) {
+        add(surface.part(corners_of(quarters[q], 0), 2.0 * quarters[q].area()), side, reflection, of_part[q]);
+      } else if (const AreaMoments seen = parts_->seen_within(quarters[q], *part); seen.area > 0.0) {
+        add(seen_patch(surface, quarters[q], seen, part->first_corner), side, reflection, of_part[q]);
+      }
       together += of_part[q];
     }
-    const double most = reflection.model.largest();
-    const bool is_enough = depth == 1 || std::abs(together.returned - returned) <= alike * most * area;
-    if (is_enough) {
+    const double share = 2.0 * piece.area(), off = std::abs(together.returned - returned);
+    if (depth == 1 || off <= alike * reflection.model.largest() * share * facet.area) {
       sum += together;
       // Beside a crease rules of both degrees may err alike, facet after facet.
       if (depth == 1)
-        for (const CurvedReturn& part : of_part) sum.bound += std::abs(part.returned - part.lower);
+        for (const CurvedReturn& quarter : of_part) sum.bound += std::abs(quarter.returned - quarter.lower);
       else
-        sum.bound += std::abs(together.returned - returned);
+        sum.bound += off;
       return;
     }
     for (std::size_t q = 0; q < quarters.size(); ++q)
-      if (std::abs(of_part[q].returned - of_part[q].lower) > rough * most * areas[q])
-        add_quarters(surface, parts[q], of_part[q].returned, areas[q], depth - 1, side, reflection, sum);
+      if (is_rough(of_part[q], facet, 0.25 * share, reflection))
+        add_quarters(facet, surface, quarters[q], part, of_part[q].returned, depth - 1, side, reflection, sum);
       else
         sum += of_part[q];
+  }
+
+  // first_corner: the facet's that lies at u = v = 0.
+  [[nodiscard]] static std::array<double, 3> weights_at(const Eigen::Vector2d& uv, std::uint32_t first_corner) {
+    std::array<double, 3> weights{1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
+    std::rotate(weights.begin(), weights.end() - first_corner, weights.end());
+    return weights;
+  }
+  [[nodiscard]] static std::array<std::array<double, 3>, 3> corners_of(const FacetPiece& piece,
+                                                                       std::uint32_t first_corner) {
+    std::array<std::array<double, 3>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = weights_at(piece.on_facet(Eigen::Vector2d(k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0)), first_corner);
+    return corners;
+  }
+
+  // The patch over a triangle that stands for what is seen of a piece: with its area, its middle and its second
+  // moments, so that the rule is exact for what varies quadratically. It may reach over the sides; the patch goes on
+  // there.
+  [[nodiscard]] static CurvedPatch seen_patch(const PatchPolynomial& surface, const FacetPiece& piece,
+                                              const AreaMoments& seen, std::uint32_t first_corner) {
+    auto corners = corners_of(piece, first_corner);
+    if (const auto stand_in = stand_in_for(seen, piece))
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = weights_at(stand_in->col(k), first_corner);
+    return surface.part(corners, 2.0 * seen.area);
   }
 
   template <class Model>
@@ -337,18 +343,18 @@ class Looking {
   std::span<const Estimate> seen_;
   const Vec3 &wi_, &wr_;
   bool retro_;
-  std::vector<std::span<const SeenPiece>> pieces_;  // one a curved facet
+  SeenParts* parts_;
+  std::vector<const SeenParts::Part*> part_of_;  // one a curved facet, where there are parts
 };
 
 }  // namespace
 
-std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const Estimate> seen,
-                                         std::span<const SeenPiece> pieces, const Vec3& to_transmitter,
-                                         const Vec3& to_receiver) {
+std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const Estimate> seen, SeenParts* parts,
+                                         const Vec3& to_transmitter, const Vec3& to_receiver) {
   const auto& facets = target.curved.facets();
   std::vector<CurvedReturn> returns(facets.size());
   if (facets.empty()) return returns;
-  const Looking looking(target, seen, pieces, to_transmitter, to_receiver);
+  Looking looking(target, seen, parts, to_transmitter, to_receiver);
   const auto& behind = target.back_material();
   for (std::uint32_t m = 0; m < target.materials.size(); ++m)
     std::visit(

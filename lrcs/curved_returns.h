@@ -4,6 +4,7 @@
 
 #include "base/estimate.h"
 #include "lrcs/cross_section.h"
+#include "lrcs/seen_parts.h"
 
 namespace lrcs {
 
@@ -27,13 +28,13 @@ struct CurvedReturn {
 };
 
 // Of all curved facets of a target, one a place of target.curved.facets().
-// seen: the seen fraction of each flat facet. pieces: of what is seen of those seen in part; where one is not known,
-// the facet counts as if it were seen evenly. A facet that the surface turns away on is cut where it does, and its
-// fraction holds for the rest; where the flat facet is turned away but some of the surface is not, the fraction is that
-// of its smooth neighbours that are not.
-// error: see CurvedReturn; what remains of the curvature is told by returned - lower.
+// seen: the seen fraction of each flat facet. parts: what is seen of those seen in part (which it measures again, so is
+// not const); of those not among them, or if null, as if all of the facet were seen through a mist. A facet that the
+// surface turns away on is cut where it does, and its fraction holds for the rest; where the flat facet is turned away
+// but some of the surface is not, the fraction is that of its smooth neighbours that are not. error: see CurvedReturn;
+// what remains of the curvature is told by returned - lower.
 [[nodiscard]] std::vector<CurvedReturn> curved_returns(const Target& target, std::span<const Estimate> seen,
-                                                       std::span<const SeenPiece> pieces, const Vec3& to_transmitter,
+                                                       SeenParts* parts, const Vec3& to_transmitter,
                                                        const Vec3& to_receiver);
 
 }  // namespace lrcs

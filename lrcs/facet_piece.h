@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <array>
 
 #include "base/vec3.h"
@@ -7,17 +6,28 @@
 
 namespace lrcs {
 
-// A quarter of a facet, in the facet's coordinates (u, v): its corners are (u, v), (u + size, v), (u, v + size), or, of
-// the one in the middle, (u + size, v + size), (u, v + size), (u + size, v).
+// A triangle that a facet falls into when it is quartered, and quartered again, in the facet's coordinates (u, v): its
+// corners are (u, v), (u + size, v), (u, v + size), or, inverted, (u + size, v + size), (u, v + size), (u + size, v).
 struct FacetPiece {
-  double u, v;
+  double u = 0.0, v = 0.0, size = 1.0;
   bool inverted = false;
 
-  static constexpr double size = 0.5;
-  static constexpr double area = 0.5 * size * size;  // the facet's: 1/2
-  static const std::array<FacetPiece, 4> quarters;
+  // Of the unit triangle's, 1/2.
+  [[nodiscard]] double area() const { return 0.5 * size * size; }
 
-  // The piece as if it were the facet: rows of equal v stay rows, and what is left stays left.
+  [[nodiscard]] std::array<FacetPiece, 4> quarters() const {
+    const double half = 0.5 * size, own = inverted ? half : 0.0;  // the corner quarter and the one that lies turned
+    return {{{u + half, v, half, inverted},
+             {u, v + half, half, inverted},
+             {u + own, v + own, half, inverted},
+             {u + own, v + own, half, !inverted}}};
+  }
+
+  // Coordinates in the piece, as if it were the facet: rows of equal v stay rows, and what is left stays left.
+  [[nodiscard]] Eigen::Vector2d within(const Eigen::Vector2d& at) const {
+    const double x = (at.x() - u) / size, y = (at.y() - v) / size;
+    return inverted ? Eigen::Vector2d(x + y - 1.0, 1.0 - y) : Eigen::Vector2d(x, y);
+  }
   [[nodiscard]] LayerEdge within(const LayerEdge& edge) const {
     LayerEdge e = edge;
     const Eigen::Vector2d from = within(Eigen::Vector2d(edge.u0, edge.v0)),
@@ -25,30 +35,26 @@ struct FacetPiece {
     e.u0 = from.x(), e.v0 = from.y(), e.u1 = to.x(), e.v1 = to.y();
     return e;
   }
-  [[nodiscard]] Eigen::Vector2d within(const Eigen::Vector2d& at) const {
-    const double x = (at.x() - u) / size, y = (at.y() - v) / size;
-    return inverted ? Eigen::Vector2d(x + y - 1.0, 1.0 - y) : Eigen::Vector2d(x, y);
-  }
   // The way back.
-  [[nodiscard]] Eigen::Vector2d on_facet(const Eigen::Vector2d& at) const {
-    const double y = inverted ? 1.0 - at.y() : at.y(), x = inverted ? at.x() + 1.0 - y : at.x();
-    return {u + size * x, v + size * y};
-  }
-
-  // A place of the piece: what lies outside is moved in, toward the middle of the corners it lies between.
-  [[nodiscard]] Eigen::Vector2d nearest_within(const Eigen::Vector2d& at) const {
-    const Eigen::Vector2d here = within(at);
-    std::array<double, 3> weights{1.0 - here.x() - here.y(), here.x(), here.y()};
-    for (double& w : weights) w = std::max(w, 0.0);
-    const double sum = weights[0] + weights[1] + weights[2];
-    return on_facet({weights[1] / sum, weights[2] / sum});
+  [[nodiscard]] Eigen::Vector2d on_facet(const Eigen::Vector2d& at) const { return origin() + axes() * at; }
+  [[nodiscard]] AreaMoments on_facet(const AreaMoments& within) const {
+    const Eigen::Matrix2d axes = this->axes();
+    const Eigen::Vector2d turned = axes * within.first, origin = this->origin();
+    const Eigen::Matrix2d across = turned * origin.transpose();
+    const double scale = size * size;
+    return {scale * within.area, scale * (turned + within.area * origin),
+            scale * (axes * within.second * axes.transpose() + across + across.transpose() +
+                     within.area * origin * origin.transpose())};
   }
 
   // With u and v in each other's place.
-  [[nodiscard]] FacetPiece turned() const { return {v, u, inverted}; }
-};
+  [[nodiscard]] FacetPiece turned() const { return {v, u, size, inverted}; }
 
-inline constexpr std::array<FacetPiece, 4> FacetPiece::quarters{
-    {{0.0, 0.0}, {size, 0.0}, {0.0, size}, {0.0, 0.0, true}}};
+ private:
+  [[nodiscard]] Eigen::Vector2d origin() const { return {u, inverted ? v + size : v}; }
+  [[nodiscard]] Eigen::Matrix2d axes() const {
+    return size * (Eigen::Matrix2d() << 1.0, inverted ? 1.0 : 0.0, 0.0, inverted ? -1.0 : 1.0).finished();
+  }
+};
 
 }  // namespace lrcs

@@ -49,10 +49,20 @@ void LayerCount::take_edges(std::span<const LayerEdge> edges) {
   heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
 }
 
-double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left,
-                                  bool with_middle) {
-  with_middle_ = with_middle;
-  moments_.setZero();
+double LayerCount::uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left) {
+  with_moments_ = false;
+  return count(edges, tolerance, layers_at_left);
+}
+
+AreaMoments LayerCount::uncovered(std::span<const LayerEdge> edges, double tolerance, int layers_at_left) {
+  with_moments_ = true;
+  moments_ = {};
+  moments_.area = count(edges, tolerance, layers_at_left);
+  moments_.second(1, 0) = moments_.second(0, 1);
+  return moments_;
+}
+
+double LayerCount::count(std::span<const LayerEdge> edges, double tolerance, int layers_at_left) {
   tolerance_ = tolerance;
   layers_at_left_ = layers_at_left;
   negative_area_ = 0.0;
@@ -159,7 +169,7 @@ double LayerCount::slab_area() {
       const Line &a = lines_[k], &b = lines_[k + 1];
       const double gap = 0.5 * (std::max(0.0, b.bottom - a.bottom) + std::max(0.0, b.top - a.top));
       if (layers == 0) area += gap;
-      if (layers == 0 && with_middle_) add_moments(a, b, 0.0, 1.0);
+      if (layers == 0 && with_moments_) add_moments(a, b, 0.0, 1.0);
       if (layers < 0) negative_area_ += slab_height_ * gap;
       ++k;
       continue;
@@ -182,7 +192,11 @@ void LayerCount::add_moments(const Line& left, const Line& right, double from, d
     const double weight = (share == from || share == to ? 1.0 : 4.0) / 6.0 * (to - from) * slab_height_;
     const double l = left.bottom + share * (left.top - left.bottom);
     const double r = right.bottom + share * (right.top - right.bottom);
-    moments_ += weight * (r - l) * Eigen::Vector2d(0.5 * (l + r), slab_low_ + share * slab_height_);
+    const double v = slab_low_ + share * slab_height_, over_row = weight * (r - l), u = 0.5 * (l + r);
+    moments_.first += over_row * Eigen::Vector2d(u, v);
+    moments_.second(0, 0) += over_row * (l * l + l * r + r * r) / 3.0;
+    moments_.second(0, 1) += over_row * u * v;
+    moments_.second(1, 1) += over_row * v * v;
   }
 }
 
@@ -216,7 +230,7 @@ double LayerCount::gap_area(std::size_t left, double height) {
   const double above = run_[left + 1].top - run_[left].top;
   const double middle = 0.5 * (gap.since + height);
   const double area = (height - gap.since) * (below + middle * (above - below));
-  if (gap.layers == 0 && with_middle_) add_moments(run_[left], run_[left + 1], gap.since, height);
+  if (gap.layers == 0 && with_moments_) add_moments(run_[left], run_[left + 1], gap.since, height);
   if (gap.layers == 0) return area;
   negative_area_ += slab_height_ * area;
   return 0.0;

@@ -15,6 +15,24 @@ struct LayerEdge {
   bool bends_in_v = false;          // in v, of edges that run along u rather
 };
 
+// Integrals of 1, of u and v, and of their products over a region of the (u, v) plane.
+struct AreaMoments {
+  double area = 0.0;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+
+  AreaMoments& operator+=(const AreaMoments& more) {
+    area += more.area, first += more.first, second += more.second;
+    return *this;
+  }
+  AreaMoments& operator-=(const AreaMoments& less) {
+    area -= less.area, first -= less.first, second -= less.second;
+    return *this;
+  }
+  // With u and v in each other's place.
+  [[nodiscard]] AreaMoments turned() const { return {area, first.reverse(), second.reverse()}; }
+};
+
 // Counts the layers that lie over a facet, from their outlines alone, and measures where there are none.
 // The layers are the polygons whose outlines sum up to the edges; edges that two layers share with opposite steps may
 // be left out. Horizontal slabs between the ends of the edges hold lines from bottom to top; the count is walked from
@@ -26,10 +44,9 @@ class LayerCount {
  public:
   // Area of the part of the unit triangle that no layer covers, 0..1/2. `layers_at_left`: the number of layers at u =
   // -infinity.
-  [[nodiscard]] double uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0,
-                                      bool with_middle = false);
-  // Of the last area asked for, if it was asked for with its middle: integrals of u and v over it.
-  [[nodiscard]] const Eigen::Vector2d& moments() const { return moments_; }
+  [[nodiscard]] double uncovered_area(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0);
+  // The same, with its moments.
+  [[nodiscard]] AreaMoments uncovered(std::span<const LayerEdge> edges, double tolerance, int layers_at_left = 0);
   // Of the last area asked for: did the count go below zero on more than rounding's area?
   [[nodiscard]] bool went_negative() const {
     return negative_area_ > 4.0 * tolerance_ * static_cast<double>(edges_.size());
@@ -55,6 +72,7 @@ class LayerCount {
     bool operator>(const Crossing& other) const;
   };
 
+  [[nodiscard]] double count(std::span<const LayerEdge> edges, double tolerance, int layers_at_left);
   void take_edges(std::span<const LayerEdge> edges);
   // Lets edges come and go. False: all of the slab is covered, wherever its lines are.
   [[nodiscard]] bool pass_to_slab(double low);
@@ -84,8 +102,8 @@ class LayerCount {
   std::vector<Gap> gaps_;              // gaps_[k]: right of run_[k]
   std::vector<Crossing> crossings_;    // a heap, the lowest first
   std::vector<std::uint32_t> place_;   // of a line by its rank
-  Eigen::Vector2d moments_ = Eigen::Vector2d::Zero();
-  bool with_middle_ = false;
+  AreaMoments moments_;
+  bool with_moments_ = false;
   double tolerance_ = 0.0;
   double negative_area_ = 0.0;
   double slab_low_ = 0.0, slab_height_ = 0.0;

@@ -15,6 +15,7 @@
 #include "lrcs/mirror_planes.h"
 #include "lrcs/return_error.h"
 #include "lrcs/sampled_sections.h"
+#include "lrcs/seen_parts.h"
 #include "lrcs/sweep_plan.h"
 
 namespace lrcs {
@@ -126,13 +127,14 @@ class Sweep {
 
   void compute(std::size_t row) {
     const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
-    auto& [seen, pieces, section] = memory_.local();
+    auto& [seen, parts, section] = memory_.local();
     VisibilityCost cost;
+    SeenParts* const of_row = convex_ || target_.curved.empty() ? nullptr : &parts;
     if (convex_)
       seen = convex_seen_fraction(target_.mesh, di, dr);
     else
-      visibility_->seen_fraction(di, dr, seen, &cost, target_.curved.empty() ? nullptr : &pieces);
-    cross_section(target_, seen, di, dr, section, pieces);
+      visibility_->seen_fraction(di, dr, seen, &cost, of_row);
+    cross_section(target_, seen, di, dr, section, of_row);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
     skipped_.free_convex_parts += cost.free_convex_parts;
@@ -197,7 +199,7 @@ class Sweep {
   std::optional<Visibility> visibility_;
   struct Memory {  // of a thread
     std::vector<Estimate> seen;
-    std::vector<SeenPiece> pieces;
+    SeenParts parts;
     CrossSection section;
   };
   tbb::enumerable_thread_specific<Memory> memory_;

@@ -1,15 +1,13 @@
 #include "lrcs/visibility.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <utility>
 
-#include "lrcs/facet_piece.h"
 #include "lrcs/facet_rise.h"
 #include "lrcs/facet_view.h"
 #include "lrcs/layer_walk.h"
 #include "lrcs/never_faced.h"
+#include "lrcs/seen_parts.h"
 #include "lrcs/surface.h"
 
 namespace lrcs {
@@ -28,28 +26,18 @@ struct Visibility::Scratch {
   const Surface& surface;
   std::array<LayerWalk, 2> walks;  // one a viewer
   std::vector<std::uint8_t> wanted;
-  std::vector<LayerEdge> edges, moved, turned, in_piece;
+  std::vector<LayerEdge> edges;
+  BentOutlines bent;
   LayerCount count;
   std::optional<FacetView> clipping;
   std::vector<Vec3> viewers;
   bool clipping_looks = false;
 
-  std::vector<SeenPiece> pieces;
-
-  // What is seen of a piece of a facet: its area, and integrals of u and v over it.
-  struct Seen {
-    double area = 0.0;
-    Eigen::Vector2d moments = Eigen::Vector2d::Zero();
-  };
+  SeenParts* parts = nullptr;  // to be noted, or not
 
   void look_along(const Vec3& to_transmitter, const Vec3& to_receiver);
   void find_wanted();
   [[nodiscard]] std::optional<Estimate> from_walks(std::uint32_t facet);
-  void add_turned(const LayerEdge& e);
-  void bend_edges();
-  [[nodiscard]] Seen counted(const FacetPiece& piece, const std::vector<LayerEdge>& all, double error, int base);
-  [[nodiscard]] Seen seen_of(const FacetPiece& piece, double error, int base);
-  void note_pieces(std::uint32_t facet, double error, int base);
   [[nodiscard]] bool is_curved() const { return !surface.occluders.corner_normals.empty(); }
   // Does the surface turn on a facet? domain: is_curved().
   [[nodiscard]] bool turns(std::uint32_t facet) const {
@@ -90,72 +78,6 @@ double Visibility::Scratch::error_by_doubtful(std::uint32_t facet) const {
   return error;
 }
 
-// With u and v in each other's place. Edges below the facet are not known, so what is below its side v = 0 is left out,
-// and where an edge goes on there a line along the side takes over from it. `e`: v0 <= v1.
-void Visibility::Scratch::add_turned(const LayerEdge& e) {
-  if (e.v1 <= 0.0) return;
-  LayerEdge upper = e;
-  if (e.v0 < 0.0) {
-    const double share = e.v0 / (e.v0 - e.v1);
-    upper.u0 = e.u0 + share * (e.u1 - e.u0), upper.v0 = 0.0;
-    upper.bend0 = e.bend0 + share * (e.bend1 - e.bend0);
-    turned.push_back({0.0, upper.u0, 0.0, 2.0, e.step});
-  }
-  const double bend0 = e.bends_in_v ? upper.bend0 : 0.0, bend1 = e.bends_in_v ? upper.bend1 : 0.0;
-  // What is gained toward larger u is lost toward larger v where the edge rises to the right.
-  turned.push_back({upper.v0 + bend0, upper.u0, upper.v1 + bend1, upper.u1, upper.u1 > upper.u0 ? -e.step : e.step});
-}
-
-// Where the outlines of curved surfaces are: `moved` along u, where that moves any; `turned` along v, where that does,
-// with u and v in each other's place. So layers stay the same along each row.
-void Visibility::Scratch::bend_edges() {
-  const auto any = [this](bool in_v) {
-    return std::ranges::any_of(
-        edges, [in_v](const LayerEdge& e) { return e.bends_in_v == in_v && (e.bend0 != 0.0 || e.bend1 != 0.0); });
-  };
-  moved.clear();
-  if (any(false)) {
-    moved = edges;
-    for (LayerEdge& e : moved)
-      if (!e.bends_in_v) e.u0 += e.bend0, e.u1 += e.bend1;
-  }
-  turned.clear();
-  if (any(true))
-    for (const LayerEdge& e : edges) add_turned(e);
-}
-
-Visibility::Scratch::Seen Visibility::Scratch::counted(const FacetPiece& piece, const std::vector<LayerEdge>& all,
-                                                       double error, int base) {
-  in_piece.clear();
-  for (const LayerEdge& e : all) in_piece.push_back(piece.within(e));
-  Seen seen;
-  const double area = count.uncovered_area(in_piece, error / piece.size, base, true), scale = piece.size * piece.size;
-  seen.area = scale * area;
-  if (area > 0.0) seen.moments = seen.area * piece.on_facet(count.moments() / area);
-  return seen;
-}
-
-// Changes along u and along v add up, to first order.
-Visibility::Scratch::Seen Visibility::Scratch::seen_of(const FacetPiece& piece, double error, int base) {
-  if (turned.empty()) return counted(piece, moved.empty() ? edges : moved, error, base);
-  Seen seen = counted(piece.turned(), turned, error, base);
-  std::swap(seen.moments.x(), seen.moments.y());
-  if (moved.empty()) return seen;
-  const Seen straight = counted(piece, edges, error, base), along_u = counted(piece, moved, error, base);
-  return {seen.area + (along_u.area - straight.area), seen.moments + (along_u.moments - straight.moments)};
-}
-
-void Visibility::Scratch::note_pieces(std::uint32_t facet, double error, int base) {
-  for (const FacetPiece& quarter : FacetPiece::quarters) {
-    const Seen seen = seen_of(quarter, error, base);
-    if (!(seen.area > error)) continue;
-    const Eigen::Vector2d middle = quarter.nearest_within(seen.moments / seen.area);
-    std::array<double, 3> at{1.0 - middle.x() - middle.y(), middle.x(), middle.y()};
-    std::rotate(at.begin(), at.end() - surface.occluders.first_corner[facet], at.end());
-    pieces.push_back({surface.occluders.original[facet], 2.0 * std::min(seen.area, quarter.area), at});
-  }
-}
-
 std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   edges.clear();
   int base = 0;
@@ -177,19 +99,28 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   if (hidden || error == 0.0) return Estimate{hidden ? 0.0 : 1.0, std::min(1.0, 16.0 * left_out)};
   error = std::max(error, left_out);
   if (error >= LayerWalk::hardly_known) return std::nullopt;
-  const double straight = count.uncovered_area(edges, error, base);
+  const bool is_noted = parts != nullptr && is_curved() && turns(facet);
+  const auto counted = [&](std::span<const LayerEdge> over) {
+    return is_noted ? count.uncovered(over, error, base) : AreaMoments{count.uncovered_area(over, error, base)};
+  };
+  const AreaMoments straight = counted(edges);
   if (count.went_negative()) return std::nullopt;
-  double fraction = 2.0 * straight;
+  AreaMoments seen = straight;
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
   if (is_curved()) {
-    bend_edges();
-    const double in_u = moved.empty() ? 0.0 : count.uncovered_area(moved, error, base) - straight;
-    const double in_v = turned.empty() ? 0.0 : count.uncovered_area(turned, error, base) - straight;
-    bound += bend_doubt * 2.0 * (std::abs(in_u) + std::abs(in_v));
-    fraction += 2.0 * (in_u + in_v);
-    if (fraction > 0.0 && fraction < 1.0 && turns(facet)) note_pieces(facet, error, base);
+    bent.bend(edges);
+    const auto add_change = [&](AreaMoments moved) {
+      moved -= straight;
+      seen += moved;
+      bound += bend_doubt * 2.0 * std::abs(moved.area);
+    };
+    if (!bent.along_u().empty()) add_change(counted(bent.along_u()));
+    if (!bent.along_v().empty()) add_change(counted(bent.along_v()).turned());
+    if (is_noted && seen.area > 0.0 && seen.area < FacetPiece().area())
+      parts->add({surface.occluders.original[facet], surface.occluders.first_corner[facet], seen, error, base}, edges,
+                 bent);
   }
-  return Estimate{std::clamp(fraction, 0.0, 1.0), std::min(1.0, bound)};
+  return Estimate{std::clamp(2.0 * seen.area, 0.0, 1.0), std::min(1.0, bound)};
 }
 
 Estimate Visibility::Scratch::clipped(std::uint32_t facet) {
@@ -240,7 +171,7 @@ std::vector<Estimate> Visibility::seen_fraction(const Vec3& to_transmitter, cons
 }
 
 void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                               VisibilityCost* cost, std::vector<SeenPiece>* pieces) const {
+                               VisibilityCost* cost, SeenParts* parts) const {
   std::unique_ptr<Scratch>& scratch = scratch_.local();
   if (!scratch) scratch = std::make_unique<Scratch>(*surface_);
   scratch->look_along(to_transmitter, to_receiver);
@@ -252,7 +183,8 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     spent.free_convex_parts += scratch->walks[k].free_parts().free_convex_parts();
     spent.other_free_parts += scratch->walks[k].free_parts().other_free_parts();
   }
-  scratch->pieces.clear();
+  scratch->parts = parts;
+  if (parts != nullptr) parts->clear();
   fraction.assign(facets_, {});
   const auto& occluders = surface_->occluders;
   for (std::uint32_t f = 0; f < occluders.size(); ++f) {
@@ -271,7 +203,6 @@ void Visibility::seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiv
     }
   }
   if (cost != nullptr) *cost = spent;
-  if (pieces != nullptr) *pieces = scratch->pieces;
 }
 
 std::vector<Estimate> Visibility::seen_fraction_by_clipping(const Vec3& to_transmitter, const Vec3& to_receiver) const {

@@ -13,6 +13,7 @@
 
 namespace lrcs {
 
+class SeenParts;
 struct Surface;
 
 // What it took to find the seen fractions for one pair of directions.
@@ -24,14 +25,6 @@ struct VisibilityCost {
   // Parts that nothing else stood before, by viewer (lrcs/free_parts.h).
   std::size_t free_convex_parts = 0;
   std::size_t other_free_parts = 0;
-};
-
-// What is seen of a facet of a curved surface that is seen in part, in pieces, one a quarter of the facet: what
-// share of the facet's area each is, and where its middle lies (weights of the mesh facet's corners).
-struct SeenPiece {
-  std::uint32_t facet;
-  double share;
-  std::array<double, 3> middle;
 };
 
 // Which part of every facet the transmitter lights AND the receiver sees, exactly.
@@ -63,9 +56,9 @@ class Visibility {
   [[nodiscard]] std::vector<Estimate> seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver,
                                                     VisibilityCost* cost = nullptr) const;
   // Into memory that is there already: for many facets it takes long to be had anew. Of a mesh with curved facets, with
-  // the pieces that are seen of those seen in part, facet by facet.
+  // what is seen of those that are seen in part and turn, where that is known better than by its fraction.
   void seen_fraction(const Vec3& to_transmitter, const Vec3& to_receiver, std::vector<Estimate>& fraction,
-                     VisibilityCost* cost = nullptr, std::vector<SeenPiece>* pieces = nullptr) const;
+                     VisibilityCost* cost = nullptr, SeenParts* parts = nullptr) const;
 
   // The same by clipping every facet: slow, the oracle for tests.
   [[nodiscard]] std::vector<Estimate> seen_fraction_by_clipping(const Vec3& to_transmitter,

@@ -86,10 +86,14 @@ Vec3 PatchPolynomial::at(const Barycentric& place) const {
 }
 
 CurvedPatch PatchPolynomial::part(const std::array<Barycentric, 3>& corners) const {
+  const auto& [p, q, r] = corners;
+  // Twice the area between the places in two of their coordinates.
+  return part(corners, (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]));
+}
+
+CurvedPatch PatchPolynomial::part(const std::array<Barycentric, 3>& corners, double share) const {
   CurvedPatch part;
   const auto& [p, q, r] = corners;
-  // Of the facet's area: twice the area between the places in two of their coordinates.
-  const double share = (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
   const PatchRule& rule = patch_rule();
   for (std::size_t k = 0; k < PatchRule::size; ++k) {
     Barycentric place{};

@@ -53,6 +53,8 @@ class PatchPolynomial {
 
   // The patch over a part of the facet, with corners at three places on it. A normal is zero where the area is.
   [[nodiscard]] CurvedPatch part(const std::array<std::array<double, 3>, 3>& corners) const;
+  // The same, to count as such a share of the facet's area.
+  [[nodiscard]] CurvedPatch part(const std::array<std::array<double, 3>, 3>& corners, double share) const;
 
  private:
   std::array<Vec3, PatchRule::size> coefficients_;

@@ -2,21 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "lrcs/stand_in.h"
+
 namespace lrcs {
 namespace {
+
+using Point = Eigen::Vector2d;
 
 // A triangle that covers, as outlines: what a facet sees of a layer before it.
 std::vector<LayerEdge> layer(std::mt19937_64& random) {
   std::uniform_real_distribution<double> place(-0.5, 1.5);
-  std::array<Eigen::Vector2d, 3> p;
+  std::array<Point, 3> p;
   for (auto& corner : p) corner = {place(random), place(random)};
-  const Eigen::Vector2d a = p[1] - p[0], b = p[2] - p[0];
+  const Point a = p[1] - p[0], b = p[2] - p[0];
   if (a.x() * b.y() - a.y() * b.x() < 0.0) std::swap(p[1], p[2]);
   std::vector<LayerEdge> edges;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -27,45 +30,116 @@ std::vector<LayerEdge> layer(std::mt19937_64& random) {
   return edges;
 }
 
-TEST(FacetPiece, QuartersSeeTogetherWhatTheFacetSees) {
+double apart(const AreaMoments& a, const AreaMoments& b) {
+  return std::abs(a.area - b.area) + (a.first - b.first).norm() + (a.second - b.second).norm();
+}
+
+AreaMoments seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& edges) {
+  std::vector<LayerEdge> within;
+  for (const LayerEdge& e : edges) within.push_back(piece.within(e));
+  return piece.on_facet(LayerCount().uncovered(within, 1e-15));
+}
+
+std::array<Point, 3> corners_of(const FacetPiece& piece) {
+  return {piece.on_facet(Point(0.0, 0.0)), piece.on_facet(Point(1.0, 0.0)), piece.on_facet(Point(0.0, 1.0))};
+}
+
+// Of a triangle: its area, a third of it at each middle of a side, has them.
+AreaMoments moments_of(const std::array<Point, 3>& p) {
+  const Point a = p[1] - p[0], b = p[2] - p[0], middle = (p[0] + p[1] + p[2]) / 3.0;
+  AreaMoments m;
+  m.area = 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+  m.first = m.area * middle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point of_side = 0.5 * (p[k] + p[(k + 1) % 3]);
+    m.second += m.area / 3.0 * of_side * of_side.transpose();
+  }
+  return m;
+}
+
+TEST(FacetPiece, QuartersSeeTogetherWhatItSees) {
   std::mt19937_64 random(5);
-  constexpr double rounding = 1e-15;
-  LayerCount count;
   int in_part = 0;
   for (int k = 0; k < 500; ++k) {
     std::vector<LayerEdge> edges = layer(random);
     for (const LayerEdge& e : layer(random)) edges.push_back(e);
-    const double whole = count.uncovered_area(edges, rounding, 0, true);
-    const Eigen::Vector2d moments = count.moments();
-    in_part += whole > 0.01 && whole < 0.49 ? 1 : 0;
-    double area = 0.0;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const FacetPiece& quarter : FacetPiece::quarters) {
-      std::vector<LayerEdge> within;
-      for (const LayerEdge& e : edges) within.push_back(quarter.within(e));
-      const double seen = count.uncovered_area(within, rounding, 0, true);
-      const double share = FacetPiece::area / 0.5 * seen;
-      area += share;
-      if (seen > 0.0) sum += share * quarter.on_facet(count.moments() / seen);
+    const FacetPiece whole, inverted = whole.quarters()[3], nested = inverted.quarters()[2];
+    for (const FacetPiece& piece : {whole, inverted, nested}) {
+      const AreaMoments seen = seen_of(piece, edges);
+      in_part += seen.area > 0.01 * piece.area() && seen.area < 0.99 * piece.area() ? 1 : 0;
+      AreaMoments sum;
+      for (const FacetPiece& quarter : piece.quarters()) sum += seen_of(quarter, edges);
+      EXPECT_NEAR(apart(sum, seen), 0.0, 1e-13);
     }
-    EXPECT_NEAR(area, whole, 1e-13);
-    EXPECT_NEAR((sum - moments).norm(), 0.0, 1e-13);
   }
-  EXPECT_GT(in_part, 100);
+  EXPECT_GT(in_part, 300);
 }
 
-TEST(FacetPiece, GivesPlacesBackAndMovesThoseOutsideIn) {
+TEST(FacetPiece, HasItsMomentsWhereNothingCovers) {
+  const FacetPiece whole;
+  for (const FacetPiece& quarter : whole.quarters())
+    for (const FacetPiece& piece : quarter.quarters()) {
+      const AreaMoments moments = moments_of(corners_of(piece));
+      EXPECT_NEAR(apart(seen_of(piece, {}), moments), 0.0, 1e-15);
+      EXPECT_DOUBLE_EQ(moments.area, piece.area());
+    }
+}
+
+TEST(FacetPiece, GivesPlacesBack) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> place(-1.0, 2.0);
-  for (const FacetPiece& quarter : FacetPiece::quarters)
-    for (int k = 0; k < 100; ++k) {
-      const Eigen::Vector2d at(place(random), place(random));
-      EXPECT_NEAR((quarter.on_facet(quarter.within(at)) - at).norm(), 0.0, 1e-14);
-      const Eigen::Vector2d in = quarter.within(quarter.nearest_within(at)), here = quarter.within(at);
-      EXPECT_GE(std::min({in.x(), in.y(), 1.0 - in.x() - in.y()}), -1e-14);
-      const bool is_inside = std::min({here.x(), here.y(), 1.0 - here.x() - here.y()}) >= 0.0;
-      EXPECT_TRUE(!is_inside || (in - here).norm() < 1e-14);
+  for (const FacetPiece& quarter : FacetPiece().quarters())
+    for (const FacetPiece& piece : quarter.quarters()) {
+      const Point at(place(random), place(random));
+      EXPECT_NEAR((piece.on_facet(piece.within(at)) - at).norm(), 0.0, 1e-14);
     }
+}
+
+TEST(StandIn, HasTheMomentsOfTheRegion) {
+  std::mt19937_64 random(7);
+  int found = 0;
+  for (int k = 0; k < 500; ++k) {
+    const std::vector<LayerEdge> edges = layer(random);
+    for (const FacetPiece& piece : FacetPiece().quarters()) {
+      const AreaMoments seen = seen_of(piece, edges);
+      const auto corners = stand_in_for(seen, piece);
+      if (!corners) continue;
+      ++found;
+      AreaMoments triangle = moments_of({corners->col(0), corners->col(1), corners->col(2)});
+      const double scale = seen.area / triangle.area;
+      triangle.first *= scale, triangle.second *= scale, triangle.area = seen.area;
+      EXPECT_NEAR(apart(triangle, seen), 0.0, 1e-12 * seen.area + 1e-16);
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+TEST(StandIn, ForAWholePieceIsThePiece) {
+  for (const FacetPiece& piece : FacetPiece().quarters()) {
+    const auto corners = corners_of(piece);
+    const auto stand_in = stand_in_for(moments_of(corners), piece);
+    ASSERT_TRUE(stand_in);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR((stand_in->col(static_cast<Eigen::Index>(k)) - corners[k]).norm(), 0.0, 1e-14);
+  }
+}
+
+TEST(StandIn, IsNotMadeForMomentsThatNoRegionHas) {
+  const FacetPiece whole;
+  const AreaMoments good = moments_of(corners_of(whole));
+  EXPECT_TRUE(stand_in_for(good, whole));
+  AreaMoments bad = good;
+  bad.area = 0.0;
+  EXPECT_FALSE(stand_in_for(bad, whole));
+  bad = good;
+  bad.first *= -1.0;  // its middle lies beside
+  EXPECT_FALSE(stand_in_for(bad, whole));
+  bad = good;
+  bad.second *= 0.5;  // spread less than not at all
+  EXPECT_FALSE(stand_in_for(bad, whole));
+  bad = good;
+  bad.second *= 10.0;  // spread further than the facet
+  EXPECT_FALSE(stand_in_for(bad, whole));
 }
 
 }  // namespace

@@ -45,6 +45,37 @@ TEST(LayerCount, SubtractsWhatLiesInside) {
   EXPECT_NEAR(uncovered({rectangle(-5, 0, 0.5, 7)}), 0.125, 1e-15);
 }
 
+TEST(LayerCount, TellsTheMomentsOfWhatIsLeft) {
+  std::vector<LayerEdge> edges;
+  add_outline(edges, rectangle(0.1, 0.2, 0.3, 0.5));
+  const AreaMoments left = LayerCount().uncovered(edges, 0x1p-50);
+  EXPECT_NEAR(left.area, 0.5 - 0.06, 1e-15);
+  EXPECT_NEAR(left.first.x(), 1.0 / 6.0 - 0.06 * 0.2, 1e-15);
+  EXPECT_NEAR(left.first.y(), 1.0 / 6.0 - 0.06 * 0.35, 1e-15);
+  EXPECT_NEAR(left.second(0, 0), 1.0 / 12.0 - 0.06 * (0.2 * 0.2 + 0.2 * 0.2 / 12.0), 1e-15);
+  EXPECT_NEAR(left.second(1, 1), 1.0 / 12.0 - 0.06 * (0.35 * 0.35 + 0.3 * 0.3 / 12.0), 1e-15);
+  EXPECT_NEAR(left.second(0, 1), 1.0 / 24.0 - 0.06 * 0.2 * 0.35, 1e-15);
+  EXPECT_EQ(left.second(0, 1), left.second(1, 0));
+}
+
+TEST(LayerCount, TellsTheMomentsBetweenCrossingSides) {
+  // Left of the rising diagonal, and right of the falling one, of the square from (0.1, 0.1) to (0.5, 0.5).
+  std::vector<LayerEdge> edges;
+  add_outline(edges, {{-1.0, 0.1}, {0.1, 0.1}, {0.5, 0.5}, {-1.0, 0.5}});
+  add_outline(edges, {{0.5, 0.1}, {2.0, 0.1}, {2.0, 0.5}, {0.1, 0.5}});
+  add_outline(edges, rectangle(-1.0, -1.0, 2.0, 0.1));
+  add_outline(edges, rectangle(-1.0, 0.5, 2.0, 2.0));
+  const AreaMoments left = LayerCount().uncovered(edges, 0x1p-50);
+  // The triangle (0.1, 0.1), (0.5, 0.1), (0.3, 0.3): its middle at (0.3, 1/6).
+  const double area = 0.04;
+  EXPECT_NEAR(left.area, area, 1e-15);
+  EXPECT_NEAR(left.first.x(), area * 0.3, 1e-15);
+  EXPECT_NEAR(left.first.y(), area / 6.0, 1e-15);
+  EXPECT_NEAR(left.second(0, 0), area * (0.3 * 0.3 + 0.4 * 0.4 / 24.0), 1e-15);
+  EXPECT_NEAR(left.second(1, 1), area * (1.0 / 36.0 + 0.2 * 0.2 / 18.0), 1e-15);
+  EXPECT_NEAR(left.second(0, 1), area * 0.3 / 6.0, 1e-15);
+}
+
 TEST(LayerCount, TakesOverlappingLayersOnce) {
   EXPECT_NEAR(uncovered({rectangle(0.1, 0.1, 0.3, 0.4), rectangle(0.2, 0.2, 0.4, 0.3)}), 0.5 - 0.06 - 0.01, 1e-15);
 }

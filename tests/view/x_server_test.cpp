@@ -54,6 +54,8 @@ TEST(XServer, EndsWithAProcessThatIsKilled) {
     const auto server = XServer::start(&why);
     const pid_t process = server ? server->process() : 0;
     if (write(channel[1], &process, sizeof process) != sizeof process) _exit(1);
+    // An X server that is just about to wait for its first client may miss a signal.
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
     kill(getpid(), SIGKILL);
   }
   pid_t process = 0;
