@@ -141,11 +141,9 @@ TEST(CurvedSections, SigmaOfAShadedTorusIsRightToAHundredThousandth) {
     double error_of_lobe = wanted;
   };
   const std::vector<View> views{
-      {{10, 45}}, {{20, 35}}, {{100, 25}}, {{70, 20}}, {{33, 15}}, {{5, 12}}, {{0, 11}, missed_in_lobe},
-      {{80, 9}},  {{0, 7}},   {{14, 7}},   {{37, 3}},  {{20, 1}},  {{0, 0}},  {{50, 0}},
-      {{70, 0}},
-                                {{63, 0.1}},
-                                {{7, 0.5}}};
+      {{10, 45}}, {{20, 35}},  {{100, 25}}, {{70, 20}}, {{33, 15}}, {{5, 12}}, {{0, 11}, missed_in_lobe},
+      {{80, 9}},  {{0, 7}},    {{14, 7}},   {{37, 3}},  {{20, 1}},  {{0, 0}},  {{50, 0}},
+      {{70, 0}},  {{63, 0.1}}, {{7, 0.5}}};
   const ShadedTorus torus(1.0, 0.4);
   Target target = target_of(BRepPrimAPI_MakeTorus(m, 0.4 * m), 7.3);
   EXPECT_LE(target.mesh.size(), most_facets);
