@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cad/read_target.h"
+#include "lrcs/sweep.h"
 #include "mesh/body_frame.h"
 #include "mesh/normal_patches.h"
 #include "mesh/repair.h"
@@ -53,18 +54,6 @@ std::vector<CurvedBody> curved_bodies(const Brdf& brdf) {
           body_of("ellipsoid", ellipsoid_of(m, 1, 0.7, 0.5), ellipsoid_surface(1, 0.7, 0.5), brdf, all_round)};
 }
 
-CurvedBody planar_body() {
-  constexpr int along = 12;
-  TopoDS_Compound boxes;
-  BRep_Builder builder;
-  builder.MakeCompound(boxes);
-  for (int i = 0; i < along; ++i)
-    for (int j = 0; j < along; ++j)
-      builder.Add(
-          boxes, BRepPrimAPI_MakeBox(gp_Pnt(i * m, j * m, 0), 0.6 * m, 0.7 * m, (1 + (3 * i + 5 * j) % 4) * m).Shape());
-  return {"boxes", step_of(boxes), {}, {}};
-}
-
 Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const Brdf& brdf) {
   const ScratchFolder folder;
   folder.write("body.step", body.step);
@@ -80,6 +69,22 @@ Target target_of(const CurvedBody& body, double angle_deg, Facets facets, const 
   target.material.assign(target.mesh.size(), 0);
   target.materials = {{"m", brdf, 0.0, ""}};
   return target;
+}
+
+CurvedBody planar_body(const Brdf& brdf) {
+  constexpr int along = 12;
+  TopoDS_Compound boxes;
+  BRep_Builder builder;
+  builder.MakeCompound(boxes);
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < along; ++j)
+      builder.Add(
+          boxes, BRepPrimAPI_MakeBox(gp_Pnt(i * m, j * m, 0), 0.6 * m, 0.7 * m, (1 + (3 * i + 5 * j) % 4) * m).Shape());
+  CurvedBody body{
+      "boxes", step_of(boxes), {aspect_between({20, 35}, {20, 35}), aspect_between({20, 35}, {60, 21})}, {}};
+  for (const SweepRow& row : run_sweep(target_of(body, 30.0, Facets::flat, brdf), body.aspects, 1))
+    body.sigma.push_back(row.sigma.value);
+  return body;
 }
 
 }  // namespace lrcs

@@ -19,8 +19,8 @@ struct CurvedBody {
 // error: of sigma: 1e-8, by quadrature over the surface.
 [[nodiscard]] std::vector<CurvedBody> curved_bodies(const Brdf& brdf);
 
-// A field of boxes that shade each other; without sigma.
-[[nodiscard]] CurvedBody planar_body();
+// A field of boxes that shade each other; with the sigma of flat facets.
+[[nodiscard]] CurvedBody planar_body(const Brdf& brdf);
 
 // What facets stand for.
 enum class Facets { flat, of_surface, of_estimated_normals };

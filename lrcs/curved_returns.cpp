@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -20,7 +21,7 @@ using Facet = CurvedSurface::Facet;
 // Quarters of a facet: the places of their corners, and which.
 constexpr std::array<std::array<double, 3>, 6> halfway{
     {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
-constexpr std::array<std::array<std::size_t, 3>, 4> quarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
+constexpr std::array<std::array<std::size_t, 3>, 4> corners_of_quarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
 
 // A number for each place of the rule, and one more, not used: vectors hold powers of two.
 constexpr std::size_t lanes = PatchRule::size + 1;
@@ -145,7 +146,8 @@ class Looking {
     if (is_faced && facing.is_clear(side)) return own;
     const auto beside = fraction_beside(facet, side);
     if (!beside) return own;
-    if (!is_faced || own.bound >= 1.0) return *beside;  // turned away, or edge-on
+    const bool is_edge_on = own.value == 0.0 && own.bound == 1.0;
+    if (!is_faced || is_edge_on) return *beside;
     const double apart = std::abs(beside->value - own.value);
     const double value = beside->value == 1.0 && own.value > 0.5 ? 1.0 : own.value;
     return {value, std::max(own.bound, apart)};
@@ -171,7 +173,12 @@ class Looking {
           sum.bound += seen_[k].bound;
           count += 1.0;
         }
-      if (count > 0.0) return Estimate{sum.value / count, sum.bound / count};
+      if (count > 0.0) {
+        const double mean = sum.value / count;
+        // Where a shadow's edge runs that near, the facet may lie on either side of it.
+        const bool is_mixed = mean > 0.0 && mean < 1.0;
+        return Estimate{mean, is_mixed ? std::max(mean, 1.0 - mean) : sum.bound / count};
+      }
     }
     return std::nullopt;
   }
@@ -181,9 +188,10 @@ class Looking {
   }
 
   // Where the rules of two degrees differ by more than `rough` of the most that the facet could return, there is a lobe
-  // or a crease of the model within it: it is looked at in quarters; and they again, unless together they return what
-  // the whole does, within `alike` of that most.
-  static constexpr double rough = 1e-5, alike = 1e-6;
+  // or a crease of the model within it, and where values differ by more than `steep` of that most, the rules may agree
+  // by chance: it is looked at in quarters; and they again, unless together they return what the whole does, within
+  // `alike` of that most.
+  static constexpr double rough = 1e-5, steep = 0.5, alike = 1e-6;
 
   template <class Model>
   void add_whole(const Facet& facet, double side, const SeenParts::Part* part, const Reflection<Model>& reflection,
@@ -195,13 +203,14 @@ class Looking {
     constexpr int most_depth = 3;
     std::optional<PatchPolynomial> surface;
     CurvedReturn here;
+    double range = 0.0;
     if (part != nullptr) {
       surface.emplace(facet.patch);
-      add(seen_patch(*surface, {}, part->seen, part->first_corner), side, reflection, here);
+      range = add(seen_patch(*surface, {}, part->seen, part->first_corner), side, reflection, here);
     } else {
-      add(facet.patch, side, reflection, here);
+      range = add(facet.patch, side, reflection, here);
     }
-    if (!facet.folded && is_rough(here, facet, 1.0, reflection)) {
+    if (!facet.folded && is_rough(here, range, facet, 1.0, reflection)) {
       if (!surface) surface.emplace(facet.patch);
       const double returned = here.returned;
       here = {};
@@ -211,11 +220,12 @@ class Looking {
     sum += here;
   }
 
-  // Do the rules of two degrees differ over a piece that is such a share of the facet?
+  // Of a piece that is such a share of the facet. range: of its values.
   template <class Model>
-  [[nodiscard]] static bool is_rough(const CurvedReturn& piece, const Facet& facet, double share,
+  [[nodiscard]] static bool is_rough(const CurvedReturn& piece, double range, const Facet& facet, double share,
                                      const Reflection<Model>& reflection) {
-    return std::abs(piece.returned - piece.lower) > rough * reflection.model.largest() * share * facet.area;
+    const double most = reflection.model.largest();
+    return std::abs(piece.returned - piece.lower) > rough * most * share * facet.area || range > steep * most;
   }
 
   // part: what is seen of the facet, or null: all of it. returned: of the whole piece, by its rule.
@@ -225,12 +235,14 @@ class Looking {
                     const Reflection<Model>& reflection, CurvedReturn& sum) {
     const auto quarters = piece.quarters();
     std::array<CurvedReturn, 4> of_part;
+    std::array<double, 4> range{};
     CurvedReturn together;
     for (std::size_t q = 0; q < quarters.size(); ++q) {
       if (part == nullptr) {
-        add(surface.part(corners_of(quarters[q], 0), 2.0 * quarters[q].area()), side, reflection, of_part[q]);
-      } else if (const AreaMoments seen = parts_->seen_within(quarters[q], *part); seen.area > 0.0) {
-        add(seen_patch(surface, quarters[q], seen, part->first_corner), side, reflection, of_part[q]);
+        range[q] =
+            add(surface.part(corners_of(quarters[q], 0), 2.0 * quarters[q].area()), side, reflection, of_part[q]);
+      } else if (const AreaMoments seen = parts_->seen_within(quarters[q], *part); seen.area != 0.0) {
+        range[q] = add(seen_patch(surface, quarters[q], seen, part->first_corner), side, reflection, of_part[q]);
       }
       together += of_part[q];
     }
@@ -245,7 +257,7 @@ class Looking {
       return;
     }
     for (std::size_t q = 0; q < quarters.size(); ++q)
-      if (is_rough(of_part[q], facet, 0.25 * share, reflection))
+      if (is_rough(of_part[q], range[q], facet, 0.25 * share, reflection))
         add_quarters(facet, surface, quarters[q], part, of_part[q].returned, depth - 1, side, reflection, sum);
       else
         sum += of_part[q];
@@ -290,8 +302,9 @@ class Looking {
         std::abs(value) * grazing_error(least) + (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
   }
 
+  // value: the range of f_r cos_i cos_r [1/sr].
   template <class Model>
-  void add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
+  double add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     const Vec3 wi = side * wi_, wr = side * wr_;
     Lanes area{}, cos_r{}, least{}, values{}, weight{};
     for (std::size_t k = 0; k < PatchRule::size; ++k) {
@@ -301,10 +314,12 @@ class Looking {
     }
     least.back() = 1.0;
     reflection.at(patch, side, retro_, least, values);
+    double low = std::numeric_limits<double>::infinity(), high = 0.0;
     for (std::size_t k = 0; k < PatchRule::size; ++k) {
       const bool is_faced = least[k] > 0.0;
       weight[k] = is_faced ? rule_.weight[k] * area[k] : 0.0;
       const double value = is_faced ? values[k] : 0.0;
+      low = std::min(low, value), high = std::max(high, value);
       sum.returned += weight[k] * value;
       sum.lower += rule_.lower[k] * area[k] * value;
       sum.lit_seen += weight[k];
@@ -315,6 +330,7 @@ class Looking {
       for (std::size_t k = 0; k < PatchRule::size; ++k)
         if (least[k] > 0.0 && values[k] != 0.0)
           sum.bound += std::abs(weight[k]) * lobe_error(reflection.pair, Vec3(side * patch.normal[k]));
+    return high - low;
   }
 
   // Of a facet that is turned away in part. Quarters: where it turns lies on a parabola, nearly.
@@ -324,7 +340,7 @@ class Looking {
     const RimCut sight{surface, side * wi_, side * wr_};
     std::array<RimCorner, 6> corners{};
     for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = sight.at(halfway[k]);
-    for (const auto& quarter : quarters) {
+    for (const auto& quarter : corners_of_quarters) {
       RimPolygon polygon;
       for (const std::size_t corner : quarter) polygon.add(corners[corner]);
       polygon = sight.cut(polygon, &RimCorner::facing_i);

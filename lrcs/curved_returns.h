@@ -29,7 +29,7 @@ struct CurvedReturn {
 
 // Of all curved facets of a target, one a place of target.curved.facets().
 // seen: the seen fraction of each flat facet. parts: what is seen of those seen in part (which it measures again, so is
-// not const); of those not among them, or if null, as if all of the facet were seen through a mist. A facet that the
+// not const); those not among them, or all if it is null, count evenly by their fraction. A facet that the
 // surface turns away on is cut where it does, and its fraction holds for the rest; where the flat facet is turned away
 // but some of the surface is not, the fraction is that of its smooth neighbours that are not. error: see CurvedReturn;
 // what remains of the curvature is told by returned - lower.

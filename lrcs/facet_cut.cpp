@@ -118,6 +118,9 @@ void FacetCut::bend(const OutlineEdge& edge, const FacetPoint& low, const FacetP
     piece.bend0 = begin + more - over.from * slant;
     piece.bend1 = piece.bend0 + slant;
     piece.bends_in_v = in_v;
+    const double along = in_v ? piece.u1 - piece.u0 : piece.v1 - piece.v0;
+    piece.swept =
+        (over.to - over.from) * std::abs(along) * (std::abs(begin) + 4.0 * std::abs(middle) + std::abs(end)) / 6.0;
   }
 }
 

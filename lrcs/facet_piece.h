@@ -39,16 +39,16 @@ struct FacetPiece {
   [[nodiscard]] Eigen::Vector2d on_facet(const Eigen::Vector2d& at) const { return origin() + axes() * at; }
   [[nodiscard]] AreaMoments on_facet(const AreaMoments& within) const {
     const Eigen::Matrix2d axes = this->axes();
-    const Eigen::Vector2d turned = axes * within.first, origin = this->origin();
-    const Eigen::Matrix2d across = turned * origin.transpose();
+    const Eigen::Vector2d first = axes * within.first, origin = this->origin();
+    const Eigen::Matrix2d across = first * origin.transpose();
     const double scale = size * size;
-    return {scale * within.area, scale * (turned + within.area * origin),
+    return {scale * within.area, scale * (first + within.area * origin),
             scale * (axes * within.second * axes.transpose() + across + across.transpose() +
                      within.area * origin * origin.transpose())};
   }
 
   // With u and v in each other's place.
-  [[nodiscard]] FacetPiece turned() const { return {v, u, size, inverted}; }
+  [[nodiscard]] FacetPiece swapped() const { return {v, u, size, inverted}; }
 
  private:
   [[nodiscard]] Eigen::Vector2d origin() const { return {u, inverted ? v + size : v}; }

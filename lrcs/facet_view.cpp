@@ -159,7 +159,8 @@ Estimate FacetView::seen_fraction(std::uint32_t facet) {
   if (hidden) return {0.0, std::min(1.0, 16.0 * error)};
   sum_edges();
   const double fraction = 2.0 * count_.uncovered_area(outline_, error);
-  const double bound = std::min(1.0, 4.0 * error * static_cast<double>(outline_.size() + 4));
+  const double bound = 4.0 * error * static_cast<double>(outline_.size() + 4);
+  if (!(bound < 1.0)) return {0.0, 1.0};  // edge-on as far as rounding can tell
   assert(fraction >= -bound && fraction <= 1.0 + bound);
   // What sticks out is rounding, within the bound.
   return {std::clamp(fraction, 0.0, 1.0), bound};

@@ -13,6 +13,7 @@ struct LayerEdge {
   int step = 0;                                   // layers gained where the edge is crossed toward larger u
   double bend0 = 0.0, bend1 = 0.0;  // how far beside the ends the outline of a curved surface lies: in u, or
   bool bends_in_v = false;          // in v, of edges that run along u rather
+  double swept = 0.0;               // area over the facet between the edge and where it bends to
 };
 
 // Integrals of 1, of u and v, and of their products over a region of the (u, v) plane.
@@ -30,7 +31,7 @@ struct AreaMoments {
     return *this;
   }
   // With u and v in each other's place.
-  [[nodiscard]] AreaMoments turned() const { return {area, first.reverse(), second.reverse()}; }
+  [[nodiscard]] AreaMoments swapped() const { return {area, first.reverse(), second.reverse()}; }
 };
 
 // Counts the layers that lie over a facet, from their outlines alone, and measures where there are none.

@@ -1,40 +1,45 @@
 #include "lrcs/seen_parts.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace lrcs {
 
 // Edges below the facet are not known, so what is below its side v = 0 is left out, and where an edge goes on there a
 // line along the side takes over from it; what lies on the side is above it.
-void BentOutlines::add_turned(const LayerEdge& e) {
+void BentOutlines::add_swapped(LayerEdge e, double error) {
+  for (double* v : {&e.v0, &e.v1})
+    if (std::abs(*v) <= error) *v = 0.0;
   if (e.v1 < 0.0) return;
-  LayerEdge upper = e;
   if (e.v0 < 0.0) {
     const double share = e.v0 / (e.v0 - e.v1);
-    upper.u0 = e.u0 + share * (e.u1 - e.u0), upper.v0 = 0.0;
-    upper.bend0 = e.bend0 + share * (e.bend1 - e.bend0);
-    along_v_.push_back({0.0, upper.u0, 0.0, 2.0, e.step});
+    e.u0 += share * (e.u1 - e.u0), e.v0 = 0.0;
+    e.bend0 += share * (e.bend1 - e.bend0);
+    along_v_.push_back({0.0, e.u0, 0.0, 2.0, e.step});
   }
-  const double bend0 = e.bends_in_v ? upper.bend0 : 0.0, bend1 = e.bends_in_v ? upper.bend1 : 0.0;
+  const double bend0 = e.bends_in_v ? e.bend0 : 0.0, bend1 = e.bends_in_v ? e.bend1 : 0.0;
   // What is gained toward larger u is lost toward larger v where the edge rises to the right.
-  along_v_.push_back({upper.v0 + bend0, upper.u0, upper.v1 + bend1, upper.u1, upper.u1 > upper.u0 ? -e.step : e.step});
+  along_v_.push_back({e.v0 + bend0, e.u0, e.v1 + bend1, e.u1, e.u1 > e.u0 ? -e.step : e.step});
 }
 
 // Layers stay the same along each row.
-void BentOutlines::bend(std::span<const LayerEdge> straight) {
-  const auto any = [straight](bool in_v) {
-    return std::ranges::any_of(
-        straight, [in_v](const LayerEdge& e) { return e.bends_in_v == in_v && (e.bend0 != 0.0 || e.bend1 != 0.0); });
-  };
+void BentOutlines::bend(std::span<const LayerEdge> straight, double error) {
   along_u_.clear();
   along_v_.clear();
-  if (any(false)) {
+  swept_ = 0.0;
+  bool any_in_u = false, any_in_v = false;
+  for (const LayerEdge& e : straight) {
+    const bool bends = e.bend0 != 0.0 || e.bend1 != 0.0;
+    any_in_u = any_in_u || (bends && !e.bends_in_v);
+    any_in_v = any_in_v || (bends && e.bends_in_v);
+    swept_ += e.swept;
+  }
+  if (any_in_u) {
     along_u_.assign(straight.begin(), straight.end());
     for (LayerEdge& e : along_u_)
       if (!e.bends_in_v) e.u0 += e.bend0, e.u1 += e.bend1;
   }
-  if (any(true))
-    for (const LayerEdge& e : straight) add_turned(e);
+  if (any_in_v)
+    for (const LayerEdge& e : straight) add_swapped(e, error);
 }
 
 void SeenParts::clear() {
@@ -64,7 +69,7 @@ AreaMoments SeenParts::seen_within(const FacetPiece& piece, const Part& part) {
   const bool moves_u = part.along_u < part.along_v, moves_v = part.along_v < part.end;
   if (!moves_v)
     return moves_u ? counted(piece, part.along_u, part.along_v) : counted(piece, part.straight, part.along_u);
-  AreaMoments seen = counted(piece.turned(), part.along_v, part.end).turned();
+  AreaMoments seen = counted(piece.swapped(), part.along_v, part.end).swapped();
   if (!moves_u) return seen;
   seen += counted(piece, part.along_u, part.along_v);
   seen -= counted(piece, part.straight, part.along_u);

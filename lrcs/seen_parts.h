@@ -12,15 +12,20 @@ namespace lrcs {
 // where the surfaces' are, along u and along v. Those moved along v, with u and v in each other's place.
 class BentOutlines {
  public:
-  // straight: of the flat facets, with v0 <= v1 [see LayerEdge].
-  void bend(std::span<const LayerEdge> straight);
+  // straight: of the flat facets, with v0 <= v1. error: of their positions; what lies along the side v = 0 as far as it
+  // tells bends with it, what lies along u = 0 is not among them (lrcs/facet_cut.h).
+  void bend(std::span<const LayerEdge> straight, double error);
 
   // None is moved: empty.
   [[nodiscard]] std::span<const LayerEdge> along_u() const { return along_u_; }
   [[nodiscard]] std::span<const LayerEdge> along_v() const { return along_v_; }
+  // Area that they have passed over, all together: more than what they change where some cover what others lay bare.
+  [[nodiscard]] double swept() const { return swept_; }
 
  private:
-  void add_turned(const LayerEdge& e);
+  void add_swapped(LayerEdge e, double error);
+
+  double swept_ = 0.0;
 
   std::vector<LayerEdge> along_u_, along_v_;
 };

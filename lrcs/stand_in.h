@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,16 +10,22 @@ namespace lrcs {
 
 // Corners (one a column) of the triangle with the middle and the second moments, over its area, of a region of a piece
 // of a facet; of the piece itself, the piece. Rules over it are exact over the region for what varies quadratically.
-// Nothing if no region has such moments: rounding, or areas that outlines' bends have changed.
+// If no region has such second moments (rounding, or areas that outlines' bends have changed): like the piece, with the
+// region's area and middle. Nothing if none has such a middle.
 [[nodiscard]] inline std::optional<Eigen::Matrix<double, 2, 3>> stand_in_for(const AreaMoments& region,
                                                                              const FacetPiece& piece) {
   if (!(region.area > 0.0)) return std::nullopt;
   const Eigen::Vector2d middle = region.first / region.area, within = piece.within(middle);
   if (!(within.x() >= 0.0 && within.y() >= 0.0 && within.x() + within.y() <= 1.0)) return std::nullopt;
   const Eigen::Matrix2d spread = region.second / region.area - middle * middle.transpose();
+  Eigen::Matrix<double, 2, 3> corners;
+  corners << piece.on_facet({0.0, 0.0}), piece.on_facet({1.0, 0.0}), piece.on_facet({0.0, 1.0});
+  corners.colwise() -= Eigen::Vector2d(corners.rowwise().mean());
   // No place lies further than `size` from any other, in either coordinate.
-  if (!(spread.determinant() > 0.0 && spread(0, 0) > 0.0 && spread.trace() <= 0.5 * piece.size * piece.size))
-    return std::nullopt;
+  if (!(spread.determinant() > 0.0 && spread(0, 0) > 0.0 && spread.trace() <= 0.5 * piece.size * piece.size)) {
+    const double scale = std::sqrt(std::min(1.0, region.area / piece.area()));
+    return Eigen::Matrix<double, 2, 3>((scale * corners).colwise() + middle);
+  }
   const auto root = [](const Eigen::Matrix2d& m) {  // of a positive definite matrix
     const double determinant = std::sqrt(m.determinant());
     return Eigen::Matrix2d((m + determinant * Eigen::Matrix2d::Identity()) / std::sqrt(m.trace() + 2.0 * determinant));
@@ -27,10 +34,7 @@ namespace lrcs {
   static const Eigen::Matrix2d from_triangle =
       root((Eigen::Matrix2d() << 1.0 / 18.0, -1.0 / 36.0, -1.0 / 36.0, 1.0 / 18.0).finished()).inverse();
   const Eigen::Matrix2d stretch = root(spread) * from_triangle / piece.size;
-  Eigen::Matrix<double, 2, 3> corners;
-  corners << piece.on_facet({0.0, 0.0}), piece.on_facet({1.0, 0.0}), piece.on_facet({0.0, 1.0});
-  const Eigen::Vector2d centre = corners.rowwise().mean();
-  return Eigen::Matrix<double, 2, 3>((stretch * (corners.colwise() - centre)).colwise() + middle);
+  return Eigen::Matrix<double, 2, 3>((stretch * corners).colwise() + middle);
 }
 
 }  // namespace lrcs

@@ -14,9 +14,9 @@ namespace lrcs {
 
 namespace {
 
-// What outlines' bends change may be off by so many times itself: measured up to 2 where the changes on a torus that
-// is seen flatly nearly cancel, and below a hundredth of it for a ball before a plate (docs/methods.md, section 8).
-constexpr double bend_doubt = 3.0;
+// What is seen may be off by so many times the area that outlines sweep as they bend: measured up to a fifth of it on a
+// torus in its own shadow, a hundredth for a ball before a plate (docs/methods.md, section 8).
+constexpr double bend_doubt = 1.0;
 
 }  // namespace
 
@@ -108,14 +108,14 @@ std::optional<Estimate> Visibility::Scratch::from_walks(std::uint32_t facet) {
   AreaMoments seen = straight;
   double bound = std::min(1.0, 4.0 * error * static_cast<double>(edges.size() + 4));
   if (is_curved()) {
-    bent.bend(edges);
+    bent.bend(edges, error);
     const auto add_change = [&](AreaMoments moved) {
       moved -= straight;
       seen += moved;
-      bound += bend_doubt * 2.0 * std::abs(moved.area);
     };
     if (!bent.along_u().empty()) add_change(counted(bent.along_u()));
-    if (!bent.along_v().empty()) add_change(counted(bent.along_v()).turned());
+    if (!bent.along_v().empty()) add_change(counted(bent.along_v()).swapped());
+    bound += bend_doubt * 2.0 * bent.swept();
     if (is_noted && seen.area > 0.0 && seen.area < FacetPiece().area())
       parts->add({surface.occluders.original[facet], surface.occluders.first_corner[facet], seen, error, base}, edges,
                  bent);
