@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -107,6 +108,15 @@ class WuPair {
       height = p_.kb * wu_fresnel<R>(p_, S((g.d_n * g.d_n + g.d_t * g.d_t) / S(4.0)), S(length / S(2.0)));
     }
     return R(height * wu_lobe(R(p_.kr), g.s_n, g.s_t, length) * shadowing(g) + p_.kd * g.cos_r);
+  }
+
+  // Where one of these changes its sign over the normals, f_cos_cos has a crease: |cos_i - cos_r| has, and x_i or x_r,
+  // whose direction's part along the surface is square there to that of wi + wr (of wi - wr in the mirrored
+  // convention).
+  [[nodiscard]] std::array<S, 3> creases(const Direction<S>& n) const {
+    const S cos_i = n.dot(wi_), cos_r = n.dot(wr_), other = is_mirrored() ? -cos_r : cos_r;
+    const S along = is_mirrored() ? S(2.0) - S(0.5) * length_ * length_ : S(0.5) * length_ * length_;
+    return {cos_i - cos_r, along - cos_i * (cos_i + other), along - cos_r * (cos_r + (is_mirrored() ? -cos_i : cos_i))};
   }
 
   [[nodiscard]] R shadowing(const Direction<S>& n) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -10,23 +11,31 @@
 namespace lrcs {
 namespace {
 
-// Do facets of the mesh as given certainly have a corner of another before them? Looks at a few facets only. On a
-// curved surface one alone may, beside a seam.
+// How far the surface that a facet stands for rises over it, over the facet's size: its plane may lean by a few times
+// that from the surface's.
+double lean_of(const FacetMesh& mesh, std::size_t facet, double size) {
+  if (mesh.curved.of.empty() || mesh.curved.of[facet] == CurvedFacets::flat || !(size > 0.0)) return 0.0;
+  double rise = 0.0;
+  for (const Vec3& sagitta : mesh.curved.patches[mesh.curved.of[facet]].sagitta) rise = std::max(rise, sagitta.norm());
+  constexpr double few = 4.0;
+  return few * rise / size;
+}
+
+// Do facets of the mesh as given certainly have a corner of another before them, further than their curvature explains?
+// Looks at a few facets only.
 bool has_something_before_its_facets(const FacetMesh& mesh) {
   constexpr std::size_t looked_at = 8;
-  std::size_t alone = mesh.curved.patches.empty() ? 0 : 1;
   const std::size_t count = std::min(looked_at, mesh.size());
   for (std::size_t k = 0; k < count; ++k) {
-    const auto [a, b, c] = mesh.corners(k * mesh.size() / count);
+    const std::size_t facet = k * mesh.size() / count;
+    const auto [a, b, c] = mesh.corners(facet);
     const Vec3 cross = facet_cross(a, b, c);
+    const double size = std::sqrt(cross.norm()), lean = lean_of(mesh, facet, size) * cross.norm();
     const auto is_before = [&, a = a](std::uint32_t v) {
-      const Vec3 terms = (mesh.positions[v] - a).cwiseProduct(cross);
-      return terms.sum() > 16.0 * unit_roundoff * terms.lpNorm<1>();
+      const Vec3 to = mesh.positions[v] - a, terms = to.cwiseProduct(cross);
+      return terms.sum() > 16.0 * unit_roundoff * terms.lpNorm<1>() + lean * (size + to.norm());
     };
-    if (std::ranges::none_of(mesh.facets, [&](const auto& facet) { return std::ranges::any_of(facet, is_before); }))
-      continue;
-    if (alone == 0) return true;
-    --alone;
+    if (std::ranges::any_of(mesh.facets, [&](const auto& f) { return std::ranges::any_of(f, is_before); })) return true;
   }
   return false;
 }

@@ -27,6 +27,12 @@ constexpr std::array<std::array<std::size_t, 3>, 4> corners_of_quarters{{{0, 3, 
 constexpr std::size_t lanes = PatchRule::size + 1;
 using Lanes = std::array<double, lanes>;
 
+// Has a model creases, and does it tell on which sides of them a normal lies?
+template <class Pair>
+concept HasCreases = requires(const Pair& pair, const Vec3& n) {
+  pair.creases(n);
+};
+
 // How a material returns to the pair of directions.
 template <class Model>
 struct Reflection {
@@ -190,7 +196,8 @@ class Looking {
   // Where the rules of two degrees differ by more than `rough` of the most that the facet could return, there is a lobe
   // or a crease of the model within it, and where values differ by more than `steep` of that most, the rules may agree
   // by chance: it is looked at in quarters; and they again, unless together they return what the whole does, within
-  // `alike` of that most.
+  // `alike` of that most. Pieces that a known crease runs through always are: the places of the rules may all lie on
+  // one side of it.
   static constexpr double rough = 1e-5, steep = 0.5, alike = 1e-6;
 
   template <class Model>
@@ -247,7 +254,10 @@ class Looking {
       together += of_part[q];
     }
     const double share = 2.0 * piece.area(), off = std::abs(together.returned - returned);
-    if (depth == 1 || off <= alike * reflection.model.largest() * share * facet.area) {
+    const double enough = alike * reflection.model.largest() * share * facet.area;
+    const bool is_creased = std::ranges::any_of(range, [](double r) { return r == creased; });
+    if (depth == 1 || (off <= enough && !is_creased)) {
+      if (is_creased) sum.bound += enough;
       sum += together;
       // Beside a crease rules of both degrees may err alike, facet after facet.
       if (depth == 1)
@@ -302,7 +312,26 @@ class Looking {
         std::abs(value) * grazing_error(least) + (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
   }
 
-  // value: the range of f_r cos_i cos_r [1/sr].
+  static constexpr double creased = std::numeric_limits<double>::infinity();
+
+  // Does a crease run through a patch, its corners included?
+  template <class Pair>
+  [[nodiscard]] static bool has_crease(const Pair& pair, const CurvedPatch& patch, double side) {
+    if constexpr (HasCreases<Pair>) {
+      const auto middle = pair.creases(Vec3(side * patch.normal[0]));
+      std::array<bool, middle.size()> above{}, below{};
+      for (std::size_t corner = 1; corner <= 3; ++corner) {
+        const auto near = pair.creases(Vec3(side * patch.normal[corner]));
+        for (std::size_t k = 0; k < middle.size(); ++k)
+          (middle[k] + CurvedSurface::beyond_places * (near[k] - middle[k]) > 0.0 ? above : below)[k] = true;
+      }
+      for (std::size_t k = 0; k < middle.size(); ++k)
+        if (above[k] && below[k]) return true;
+    }
+    return false;
+  }
+
+  // value: the range of f_r cos_i cos_r [1/sr]; `creased` where a crease runs through the patch.
   template <class Model>
   double add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     const Vec3 wi = side * wi_, wr = side * wr_;
@@ -330,7 +359,7 @@ class Looking {
       for (std::size_t k = 0; k < PatchRule::size; ++k)
         if (least[k] > 0.0 && values[k] != 0.0)
           sum.bound += std::abs(weight[k]) * lobe_error(reflection.pair, Vec3(side * patch.normal[k]));
-    return high - low;
+    return !retro_ && has_crease(reflection.pair, patch, side) ? creased : high - low;
   }
 
   // Of a facet that is turned away in part. Quarters: where it turns lies on a parabola, nearly.

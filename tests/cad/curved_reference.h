@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -41,6 +42,39 @@ inline std::vector<std::pair<double, double>> lit_arcs(const Vec3& abc, const Ve
   return arcs;
 }
 
+// The same, cut where the nine-parameter model has creases: where both cosines are equal, and where either direction's
+// part along the surface is square to that of wi + wr.
+inline std::vector<std::pair<double, double>> smooth_arcs(const Vec3& abc, const Vec3& wi, const Vec3& wr) {
+  auto arcs = lit_arcs(abc, wi, wr);
+  if (wi == wr) return arcs;
+  const Vec3 s = wi + wr;
+  const auto normal = [&](double u) { return Vec3(abc.x() * std::cos(u), abc.y() * std::sin(u), abc.z()); };
+  const std::array<std::function<double(double)>, 3> creases{
+      [&](double u) { return normal(u).dot(wi - wr); },
+      [&](double u) { return normal(u).squaredNorm() * wi.dot(s) - normal(u).dot(wi) * normal(u).dot(s); },
+      [&](double u) { return normal(u).squaredNorm() * wr.dot(s) - normal(u).dot(wr) * normal(u).dot(s); }};
+  std::vector<std::pair<double, double>> smooth;
+  for (const auto& [from, to] : arcs) {
+    std::vector<double> ends{from, to};
+    constexpr int steps = 60;
+    const double step = (to - from) / steps;
+    for (const auto& crease : creases)
+      for (int k = 0; k < steps; ++k) {
+        double low = from + k * step, high = low + step;
+        const bool is_above = crease(low) > 0.0;
+        if ((crease(high) > 0.0) == is_above) continue;
+        for (int halving = 0; halving < 45; ++halving) {
+          const double middle = 0.5 * (low + high);
+          ((crease(middle) > 0.0) == is_above ? low : high) = middle;
+        }
+        ends.push_back(low);
+      }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) smooth.emplace_back(ends[k], ends[k + 1]);
+  }
+  return smooth;
+}
+
 // 4 pi times the integral of f_r cos_i cos_r over what faces both directions [m^2]. error: 1e-9 relative for smooth
 // models.
 inline double unshaded_sigma(const RoundSurface& surface, const Brdf& brdf, const Vec3& wi, const Vec3& wr) {
@@ -49,8 +83,8 @@ inline double unshaded_sigma(const RoundSurface& surface, const Brdf& brdf, cons
         const auto ring = [&](double v) {
           const Vec3 abc = surface.abc(v);
           double sum = 0.0;
-          for (const auto& [from, to] : lit_arcs(abc, wi, wr)) {
-            constexpr int pieces = 12;
+          for (const auto& [from, to] : smooth_arcs(abc, wi, wr)) {
+            const int pieces = 1 + static_cast<int>(4.0 * (to - from));
             const double step = (to - from) / pieces;
             for (int k = 0; k < pieces; ++k)
               sum += boost::math::quadrature::gauss<double, 15>::integrate(
@@ -63,8 +97,13 @@ inline double unshaded_sigma(const RoundSurface& surface, const Brdf& brdf, cons
           }
           return sum;
         };
-        double sum =
-            boost::math::quadrature::gauss_kronrod<double, 31>::integrate(ring, surface.v0, surface.v1, 10, 1e-9);
+        // Apart, so that no crease of a few degrees is missed by all places of the first look.
+        constexpr int bands = 16;
+        const double band = (surface.v1 - surface.v0) / bands;
+        double sum = 0.0;
+        for (int k = 0; k < bands; ++k)
+          sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(ring, surface.v0 + k * band,
+                                                                               surface.v0 + (k + 1) * band, 8, 1e-9);
         for (const auto& [normal, area] : surface.flat)
           if (normal.dot(wi) > 0.0 && normal.dot(wr) > 0.0) sum += area * model.f_cos_cos(wi, wr, normal);
         return 4.0 * std::numbers::pi * sum;

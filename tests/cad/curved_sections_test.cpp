@@ -122,12 +122,35 @@ TEST(CurvedSections, SigmaOfUnshadedSolidsIsRightToMillionths) {
         const Estimate sigma = sigma_of(target, brdf, from);
         const auto where = testing::Message() << solid.name << ", " << target.mesh.size() << " facets, " << name << ", "
                                               << from.transmitter.azimuth_deg << " " << from.transmitter.elevation_deg;
-        // The nine-parameter model has creases where light comes in askew, at which the reference is no better than
-        // this.
-        const bool creased = name.ends_with("9p") && from.to_transmitter != from.to_receiver;
-        const double of_reference = creased ? 3e-6 * exact : 3e-8 * exact;
+        const double of_reference = 3e-8 * exact;
         EXPECT_NEAR(sigma.value, exact, solid.error * exact + of_reference) << where;
         EXPECT_NEAR(sigma.value, exact, sigma.bound + of_reference) << where;
+      }
+  }
+}
+
+// From wherever chance has it: creases of the models and the transmitter's terminator lie differently each time.
+TEST(CurvedSections, SigmaFromRandomPairsOfDirectionsIsRightToMillionths) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const Solid& solid : solids()) {
+    if (solid.name == "torus" || solid.name == "paraboloid") continue;  // shade themselves from some
+    // A B-spline, of which the terminator is known to third order only.
+    const double error = solid.name == "ellipsoid" ? 1e-5 : solid.error;
+    Target target = target_of(solid.shape, solid.angle_deg);
+    for (const auto& [name, brdf] : materials())
+      for (int k = 0; k < 6; ++k) {
+        const double azimuth = 180.0 * unit(random), elevation = std::asin(unit(random)) / degree;
+        const AspectAngles transmitter{azimuth, elevation};
+        const AspectAngles receiver{azimuth + 40.0 * unit(random),
+                                    std::clamp(elevation + 20.0 * unit(random), -89.0, 89.0)};
+        const Aspect from = aspect_between(transmitter, receiver);
+        const double exact = unshaded_sigma(solid.surface, brdf, from.to_transmitter, from.to_receiver);
+        const Estimate sigma = sigma_of(target, brdf, from);
+        const auto where = testing::Message() << solid.name << ", " << name << ", " << azimuth << " " << elevation
+                                              << " to " << receiver.azimuth_deg << " " << receiver.elevation_deg;
+        EXPECT_NEAR(sigma.value, exact, error * exact) << where;
+        EXPECT_NEAR(sigma.value, exact, sigma.bound + 3e-8 * exact) << where;
       }
   }
 }
