@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "tests/brdf/angle_form.h"
 #include "tests/brdf/sample_brdfs.h"
@@ -246,6 +249,36 @@ TEST(Wu, RefusesParametersOutsideTheirDomain) {
   steep.sigma_p = 1e200;
   steep.u_p = 1e200;
   EXPECT_THROW(Wu{steep}, ParameterError);
+}
+
+// Along great circles of normals: over a crease the second difference goes with the step, elsewhere with its square.
+TEST(Wu, TellsItsCreases) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  const auto direction = [&] { return Vec3(Vec3(normal(random), normal(random), normal(random)).normalized()); };
+  int found = 0, told = 0;
+  for (const auto& p : {published("metal-skin-9p"), mirrored(published("metal-skin-9p")), published("metal-skin-5p")})
+    for (int path = 0; path < 40; ++path) {
+      const Vec3 wi = direction(), wr = direction(), from = (wi + wr).normalized();
+      const Vec3 across = from.cross(direction()).normalized(), beside = 0.3 * direction();
+      const auto n = [&](double t) { return Vec3((std::cos(t) * from + std::sin(t) * across + beside).normalized()); };
+      const auto pair = Wu(p).for_pair(wi, wr);
+      constexpr double step = 1e-3;
+      for (double t = -1.0; t < 1.0; t += step) {
+        if (std::min({n(t - step).dot(wi), n(t - step).dot(wr), n(t + step).dot(wi), n(t + step).dot(wr)}) < 0.1)
+          continue;
+        const auto bend = [&](double h) { return std::abs(pair(n(t + h)) - 2.0 * pair(n(t)) + pair(n(t - h))); };
+        const auto before = pair.creases(n(t - step)), after = pair.creases(n(t + step));
+        bool crosses = false;
+        for (std::size_t k = 0; k < 3; ++k) crosses = crosses || (before[k] > 0.0) != (after[k] > 0.0);
+        const bool is_crease = bend(step) > 3e-6 && bend(step) < 3.0 * bend(0.5 * step);
+        told += crosses ? 1 : 0;
+        found += is_crease && crosses ? 1 : 0;
+        EXPECT_TRUE(!is_crease || crosses) << path << ", " << t << ": " << bend(step) << " " << bend(0.5 * step);
+      }
+    }
+  EXPECT_GT(found, 20);
+  EXPECT_LT(told, 40 * found);
 }
 
 TEST(Wu, NamesTheParameterThatIsWrong) {
