@@ -56,7 +56,7 @@ struct Measured {
 double error_of(const Target& target, const CurvedBody& body) {
   double sum = 0.0;
   const auto rows = run_sweep(target, body.aspects, 1);
-  for (std::size_t k = 0; k < body.sigma.size(); ++k) sum += std::pow(rows[k].sigma.value / body.sigma[k] - 1.0, 2);
+  for (std::size_t k = 0; k < rows.size(); ++k) sum += std::pow(rows[k].sigma.value / body.sigma[k] - 1.0, 2);
   return std::sqrt(sum / static_cast<double>(rows.size()));
 }
 

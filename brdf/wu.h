@@ -114,9 +114,9 @@ class WuPair {
   // whose direction's part along the surface is square there to that of wi + wr (of wi - wr in the mirrored
   // convention).
   [[nodiscard]] std::array<S, 3> creases(const Direction<S>& n) const {
-    const S cos_i = n.dot(wi_), cos_r = n.dot(wr_), other = is_mirrored() ? -cos_r : cos_r;
-    const S along = is_mirrored() ? S(2.0) - S(0.5) * length_ * length_ : S(0.5) * length_ * length_;
-    return {cos_i - cos_r, along - cos_i * (cos_i + other), along - cos_r * (cos_r + (is_mirrored() ? -cos_i : cos_i))};
+    const S cos_i = n.dot(wi_), cos_r = n.dot(wr_), sign(is_mirrored() ? -1.0 : 1.0);
+    const S along = S(1.0) + sign * wi_.dot(wr_);  // wi . (wi + wr)
+    return {cos_i - cos_r, along - cos_i * (cos_i + sign * cos_r), along - cos_r * (cos_r + sign * cos_i)};
   }
 
   [[nodiscard]] R shadowing(const Direction<S>& n) const {

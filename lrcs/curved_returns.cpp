@@ -12,6 +12,7 @@
 #include "lrcs/return_error.h"
 #include "lrcs/rim_cut.h"
 #include "lrcs/stand_in.h"
+#include "lrcs/surface_fractions.h"
 
 namespace lrcs {
 namespace {
@@ -62,7 +63,13 @@ struct Reflection {
 class Looking {
  public:
   Looking(const Target& target, std::span<const Estimate> seen, SeenParts* parts, const Vec3& wi, const Vec3& wr)
-      : target_(target), seen_(seen), wi_(wi), wr_(wr), retro_(wi == wr), parts_(parts) {
+      : target_(target),
+        seen_(seen),
+        fractions_(target, seen, wi, wr),
+        wi_(wi),
+        wr_(wr),
+        retro_(wi == wr),
+        parts_(parts) {
     if (parts == nullptr) return;
     part_of_.resize(target.curved.facets().size());
     for (const SeenParts::Part& part : parts->parts())
@@ -75,12 +82,12 @@ class Looking {
   CurvedReturn at(const Facet& facet, std::uint32_t material, const Reflection<Model>& seen,
                   const Reflection<Model>& unseen) {
     CurvedReturn sum;
-    const Facing facing = facing_of(facet);
+    const SurfaceFractions::Facing facing = fractions_.facing_of(facet);
     for (const double side : {1.0, -1.0}) {
       if (side < 0.0 && target_.sides == Sides::front) continue;
       if (!facing.may_be_lit_and_seen(side)) continue;
       if ((side > 0.0 ? target_.material : target_.back_material())[facet.facet] != material) continue;
-      const Estimate fraction = fraction_of(facet, facing, side);
+      const Estimate fraction = fractions_.fraction_of(facet, facing, side);
       if (fraction.value == 0.0 && fraction.bound == 0.0) continue;
       const Reflection<Model>& reflection = fraction.value > 0.0 ? seen : unseen;
       CurvedReturn here;
@@ -105,94 +112,6 @@ class Looking {
     return part_of_[target_.curved.place_of(facet.facet)];
   }
 
-  // The cosines that a direction has on a facet, as far as their signs go.
-  struct Range {
-    double least, most;
-
-    [[nodiscard]] double least_of(double side) const { return side > 0.0 ? least : -most; }
-  };
-  struct Facing {
-    Range i, r;
-
-    // Do all of a facet's normals lie on one side, for either direction?
-    [[nodiscard]] bool is_whole() const { return i.least * i.most > 0.0 && r.least * r.most > 0.0; }
-    [[nodiscard]] bool is_clear(double side) const { return i.least_of(side) > 0.0 && r.least_of(side) > 0.0; }
-    [[nodiscard]] bool may_be_lit_and_seen(double side) const {
-      return i.least_of(-side) < 0.0 && r.least_of(-side) < 0.0;
-    }
-  };
-
-  static Range range_of(const Facet& facet, const Vec3& w) {
-    const double middle = facet.axis.dot(w);
-    if (std::abs(middle) > facet.spread || facet.planar) return {middle, middle};
-    Range range{middle, middle};
-    for (const Vec3& normal : facet.patch.normal) {
-      const double there = middle + CurvedSurface::beyond_places * (normal.dot(w) - middle);
-      range.least = std::min(range.least, there);
-      range.most = std::max(range.most, there);
-    }
-    return range;
-  }
-  [[nodiscard]] Facing facing_of(const Facet& facet) const {
-    const Range of_i = range_of(facet, wi_);
-    return {of_i, retro_ ? of_i : range_of(facet, wr_)};
-  }
-
-  [[nodiscard]] bool faces(std::size_t facet, double side) const {
-    const Vec3& n = target_.mesh.normals[facet];
-    return side * n.dot(wi_) > 0.0 && side * n.dot(wr_) > 0.0;
-  }
-
-  // Of a side of a facet. Near to where the surface turns away, flat facets stand in each other's light as the surface
-  // does not: there, that of the nearest facets clear of it, if they are seen whole and the flat facet mostly is, or is
-  // turned away itself. What the two differ by is not known better.
-  [[nodiscard]] Estimate fraction_of(const Facet& facet, const Facing& facing, double side) const {
-    const bool is_faced = faces(facet.facet, side);
-    const Estimate own = is_faced ? seen_[facet.facet] : Estimate{};
-    if (is_faced && facing.is_clear(side)) return own;
-    const auto beside = fraction_beside(facet, side);
-    if (!beside) return own;
-    const bool is_edge_on = own.value == 0.0 && own.bound == 1.0;
-    if (!is_faced || is_edge_on) return *beside;
-    const double apart = std::abs(beside->value - own.value);
-    const double value = beside->value == 1.0 && own.value > 0.5 ? 1.0 : own.value;
-    return {value, std::max(own.bound, apart)};
-  }
-
-  // The mean of the nearest facets that are clear of where the surface turns away, on the way over those that are not.
-  [[nodiscard]] std::optional<Estimate> fraction_beside(const Facet& facet, double side) const {
-    constexpr std::size_t most_rings = 8;
-    std::vector<std::uint32_t> met{facet.facet};
-    std::size_t first = 0;
-    for (std::size_t ring = 0; ring < most_rings; ++ring) {
-      Estimate sum;
-      double count = 0.0;
-      for (const std::size_t last = met.size(); first < last; ++first)
-        for (const std::uint32_t k : curved(met[first]).adjacent) {
-          if (k == CurvedSurface::none || std::find(met.begin(), met.end(), k) != met.end()) continue;
-          const Facing facing = facing_of(curved(k));
-          if (!facing.is_clear(side) || !faces(k, side)) {
-            if (facing.may_be_lit_and_seen(side)) met.push_back(k);
-            continue;
-          }
-          sum.value += seen_[k].value;
-          sum.bound += seen_[k].bound;
-          count += 1.0;
-        }
-      if (count > 0.0) {
-        const double mean = sum.value / count;
-        // Where a shadow's edge runs that near, the facet may lie on either side of it.
-        const bool is_mixed = mean > 0.0 && mean < 1.0;
-        return Estimate{mean, is_mixed ? std::max(mean, 1.0 - mean) : sum.bound / count};
-      }
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] const Facet& curved(std::uint32_t facet) const {
-    return target_.curved.facets()[target_.curved.place_of(facet)];
-  }
-
   // Where the rules of two degrees differ by more than `rough` of the most that the facet could return, there is a lobe
   // or a crease of the model within it, and where values differ by more than `steep` of that most, the rules may agree
   // by chance: it is looked at in quarters; and they again, unless together they return what the whole does, within
@@ -209,30 +128,40 @@ class Looking {
     }
     constexpr int most_depth = 3;
     std::optional<PatchPolynomial> surface;
-    CurvedReturn here;
-    double range = 0.0;
-    if (part != nullptr) {
-      surface.emplace(facet.patch);
-      range = add(seen_patch(*surface, {}, part->seen, part->first_corner), side, reflection, here);
-    } else {
-      range = add(facet.patch, side, reflection, here);
-    }
-    if (!facet.folded && is_rough(here, range, facet, 1.0, reflection)) {
+    if (part != nullptr) surface.emplace(facet.patch);
+    const Look look = part != nullptr ? look_at(seen_patch(*surface, {}, *part, part->seen), side, reflection)
+                                      : look_at(facet.patch, side, reflection);
+    CurvedReturn here = look.sum;
+    if (!facet.folded && is_rough(look, facet, 1.0, reflection)) {
       if (!surface) surface.emplace(facet.patch);
-      const double returned = here.returned;
       here = {};
-      add_quarters(facet, *surface, {}, part, returned, most_depth, side, reflection, here);
+      add_quarters(facet, *surface, {}, part, look.sum.returned, most_depth, side, reflection, here);
     }
     if (part != nullptr) here /= seen_[facet.facet].value;
     sum += here;
   }
 
-  // Of a piece that is such a share of the facet. range: of its values.
+  // At a piece of a facet, by its rule.
+  struct Look {
+    CurvedReturn sum;
+    double range = 0.0;  // of f_r cos_i cos_r [1/sr]
+    bool is_creased = false;
+  };
   template <class Model>
-  [[nodiscard]] static bool is_rough(const CurvedReturn& piece, double range, const Facet& facet, double share,
+  [[nodiscard]] Look look_at(const CurvedPatch& patch, double side, const Reflection<Model>& reflection) const {
+    Look look;
+    look.range = add(patch, side, reflection, look.sum);
+    look.is_creased = !retro_ && has_crease(reflection.pair, patch, side);
+    return look;
+  }
+
+  // Of a piece that is such a share of the facet.
+  template <class Model>
+  [[nodiscard]] static bool is_rough(const Look& look, const Facet& facet, double share,
                                      const Reflection<Model>& reflection) {
     const double most = reflection.model.largest();
-    return std::abs(piece.returned - piece.lower) > rough * most * share * facet.area || range > steep * most;
+    return look.is_creased || look.range > steep * most ||
+           std::abs(look.sum.returned - look.sum.lower) > rough * most * share * facet.area;
   }
 
   // part: what is seen of the facet, or null: all of it. returned: of the whole piece, by its rule.
@@ -241,61 +170,57 @@ class Looking {
                     const SeenParts::Part* part, double returned, int depth, double side,
                     const Reflection<Model>& reflection, CurvedReturn& sum) {
     const auto quarters = piece.quarters();
-    std::array<CurvedReturn, 4> of_part;
-    std::array<double, 4> range{};
+    std::array<Look, 4> looks;
     CurvedReturn together;
+    bool is_creased = false;
     for (std::size_t q = 0; q < quarters.size(); ++q) {
       if (part == nullptr) {
-        range[q] =
-            add(surface.part(corners_of(quarters[q], 0), 2.0 * quarters[q].area()), side, reflection, of_part[q]);
+        const auto corners = weights_at(quarters[q].corners(), 0);
+        looks[q] = look_at(surface.part(corners, 2.0 * quarters[q].area()), side, reflection);
       } else if (const AreaMoments seen = parts_->seen_within(quarters[q], *part); seen.area != 0.0) {
-        range[q] = add(seen_patch(surface, quarters[q], seen, part->first_corner), side, reflection, of_part[q]);
+        looks[q] = look_at(seen_patch(surface, quarters[q], *part, seen), side, reflection);
       }
-      together += of_part[q];
+      together += looks[q].sum;
+      is_creased = is_creased || looks[q].is_creased;
     }
     const double share = 2.0 * piece.area(), off = std::abs(together.returned - returned);
     const double enough = alike * reflection.model.largest() * share * facet.area;
-    const bool is_creased = std::ranges::any_of(range, [](double r) { return r == creased; });
     if (depth == 1 || (off <= enough && !is_creased)) {
-      if (is_creased) sum.bound += enough;
       sum += together;
+      if (is_creased) sum.bound += enough;
       // Beside a crease rules of both degrees may err alike, facet after facet.
       if (depth == 1)
-        for (const CurvedReturn& quarter : of_part) sum.bound += std::abs(quarter.returned - quarter.lower);
+        for (const Look& look : looks) sum.bound += std::abs(look.sum.returned - look.sum.lower);
       else
         sum.bound += off;
       return;
     }
     for (std::size_t q = 0; q < quarters.size(); ++q)
-      if (is_rough(of_part[q], range[q], facet, 0.25 * share, reflection))
-        add_quarters(facet, surface, quarters[q], part, of_part[q].returned, depth - 1, side, reflection, sum);
+      if (is_rough(looks[q], facet, 0.25 * share, reflection))
+        add_quarters(facet, surface, quarters[q], part, looks[q].sum.returned, depth - 1, side, reflection, sum);
       else
-        sum += of_part[q];
+        sum += looks[q].sum;
   }
 
-  // first_corner: the facet's that lies at u = v = 0.
-  [[nodiscard]] static std::array<double, 3> weights_at(const Eigen::Vector2d& uv, std::uint32_t first_corner) {
-    std::array<double, 3> weights{1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
-    std::rotate(weights.begin(), weights.end() - first_corner, weights.end());
-    return weights;
-  }
-  [[nodiscard]] static std::array<std::array<double, 3>, 3> corners_of(const FacetPiece& piece,
+  // corners: places (u, v), one a column. first_corner: the facet's that lies at u = v = 0.
+  [[nodiscard]] static std::array<std::array<double, 3>, 3> weights_at(const Eigen::Matrix<double, 2, 3>& corners,
                                                                        std::uint32_t first_corner) {
-    std::array<std::array<double, 3>, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = weights_at(piece.on_facet(Eigen::Vector2d(k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0)), first_corner);
-    return corners;
+    std::array<std::array<double, 3>, 3> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto uv = corners.col(static_cast<Eigen::Index>(k));
+      weights[k] = {1.0 - uv.x() - uv.y(), uv.x(), uv.y()};
+      std::rotate(weights[k].begin(), weights[k].end() - first_corner, weights[k].end());
+    }
+    return weights;
   }
 
   // The patch over a triangle that stands for what is seen of a piece: with its area, its middle and its second
   // moments, so that the rule is exact for what varies quadratically. It may reach over the sides; the patch goes on
   // there.
   [[nodiscard]] static CurvedPatch seen_patch(const PatchPolynomial& surface, const FacetPiece& piece,
-                                              const AreaMoments& seen, std::uint32_t first_corner) {
-    auto corners = corners_of(piece, first_corner);
-    if (const auto stand_in = stand_in_for(seen, piece))
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = weights_at(stand_in->col(k), first_corner);
-    return surface.part(corners, 2.0 * seen.area);
+                                              const SeenParts::Part& part, const AreaMoments& seen) {
+    const auto corners = stand_in_for(seen, piece).value_or(piece.corners());
+    return surface.part(weights_at(corners, part.first_corner), 2.0 * seen.area);
   }
 
   template <class Model>
@@ -311,8 +236,6 @@ class Looking {
     sum.bound +=
         std::abs(value) * grazing_error(least) + (value != 0.0 ? std::abs(area) * lobe_error(reflection.pair, n) : 0.0);
   }
-
-  static constexpr double creased = std::numeric_limits<double>::infinity();
 
   // Does a crease run through a patch, its corners included?
   template <class Pair>
@@ -331,7 +254,7 @@ class Looking {
     return false;
   }
 
-  // value: the range of f_r cos_i cos_r [1/sr]; `creased` where a crease runs through the patch.
+  // value: the range of f_r cos_i cos_r [1/sr].
   template <class Model>
   double add(const CurvedPatch& patch, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     const Vec3 wi = side * wi_, wr = side * wr_;
@@ -359,7 +282,7 @@ class Looking {
       for (std::size_t k = 0; k < PatchRule::size; ++k)
         if (least[k] > 0.0 && values[k] != 0.0)
           sum.bound += std::abs(weight[k]) * lobe_error(reflection.pair, Vec3(side * patch.normal[k]));
-    return !retro_ && has_crease(reflection.pair, patch, side) ? creased : high - low;
+    return high - low;
   }
 
   // Of a facet that is turned away in part. Quarters: where it turns lies on a parabola, nearly.
@@ -386,6 +309,7 @@ class Looking {
   const PatchRule& rule_ = patch_rule();
   const Target& target_;
   std::span<const Estimate> seen_;
+  SurfaceFractions fractions_;
   const Vec3 &wi_, &wr_;
   bool retro_;
   SeenParts* parts_;

@@ -47,6 +47,11 @@ struct FacetPiece {
                      within.area * origin * origin.transpose())};
   }
 
+  // On the facet, one a column.
+  [[nodiscard]] Eigen::Matrix<double, 2, 3> corners() const {
+    return (axes() * (Eigen::Matrix<double, 2, 3>() << 0.0, 1.0, 0.0, 0.0, 0.0, 1.0).finished()).colwise() + origin();
+  }
+
   // With u and v in each other's place.
   [[nodiscard]] FacetPiece swapped() const { return {v, u, size, inverted}; }
 

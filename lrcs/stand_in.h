@@ -18,8 +18,7 @@ namespace lrcs {
   const Eigen::Vector2d middle = region.first / region.area, within = piece.within(middle);
   if (!(within.x() >= 0.0 && within.y() >= 0.0 && within.x() + within.y() <= 1.0)) return std::nullopt;
   const Eigen::Matrix2d spread = region.second / region.area - middle * middle.transpose();
-  Eigen::Matrix<double, 2, 3> corners;
-  corners << piece.on_facet({0.0, 0.0}), piece.on_facet({1.0, 0.0}), piece.on_facet({0.0, 1.0});
+  Eigen::Matrix<double, 2, 3> corners = piece.corners();
   corners.colwise() -= Eigen::Vector2d(corners.rowwise().mean());
   // No place lies further than `size` from any other, in either coordinate.
   if (!(spread.determinant() > 0.0 && spread(0, 0) > 0.0 && spread.trace() <= 0.5 * piece.size * piece.size)) {

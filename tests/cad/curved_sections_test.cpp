@@ -17,6 +17,7 @@
 #include "base/direction.h"
 #include "brdf/library.h"
 #include "cad/read_target.h"
+#include "lrcs/convexity.h"
 #include "lrcs/sweep.h"
 #include "mesh/body_frame.h"
 #include "mesh/repair.h"
@@ -129,6 +130,15 @@ TEST(CurvedSections, SigmaOfUnshadedSolidsIsRightToMillionths) {
   }
 }
 
+// Also cones, whose facets lie askew to its rulings and bend forward between them.
+TEST(CurvedSections, OfConvexSolidsCountAsConvexBodies) {
+  for (const Solid& solid : solids()) {
+    if (solid.name == "ellipsoid" || solid.name == "paraboloid") continue;
+    const FacetMesh mesh = target_of(solid.shape, solid.angle_deg).mesh;
+    EXPECT_EQ(is_convex_body(mesh), solid.name != "torus") << solid.name;
+  }
+}
+
 // From wherever chance has it: creases of the models and the transmitter's terminator lie differently each time.
 TEST(CurvedSections, SigmaFromRandomPairsOfDirectionsIsRightToMillionths) {
   std::mt19937_64 random(5);
@@ -136,7 +146,7 @@ TEST(CurvedSections, SigmaFromRandomPairsOfDirectionsIsRightToMillionths) {
   for (const Solid& solid : solids()) {
     if (solid.name == "torus" || solid.name == "paraboloid") continue;  // shade themselves from some
     // A B-spline, of which the terminator is known to third order only.
-    const double error = solid.name == "ellipsoid" ? 1e-5 : solid.error;
+    const double error = solid.name == "ellipsoid" ? 6e-6 : solid.error;
     Target target = target_of(solid.shape, solid.angle_deg);
     for (const auto& [name, brdf] : materials())
       for (int k = 0; k < 6; ++k) {

@@ -37,11 +37,13 @@ double apart(const AreaMoments& a, const AreaMoments& b) {
 AreaMoments seen_of(const FacetPiece& piece, const std::vector<LayerEdge>& edges) {
   std::vector<LayerEdge> within;
   for (const LayerEdge& e : edges) within.push_back(piece.within(e));
-  return piece.on_facet(LayerCount().uncovered(within, 1e-15));
+  constexpr double rounding = 1e-15;  // of their coordinates
+  return piece.on_facet(LayerCount().uncovered(within, rounding));
 }
 
 std::array<Point, 3> corners_of(const FacetPiece& piece) {
-  return {piece.on_facet(Point(0.0, 0.0)), piece.on_facet(Point(1.0, 0.0)), piece.on_facet(Point(0.0, 1.0))};
+  const auto corners = piece.corners();
+  return {corners.col(0), corners.col(1), corners.col(2)};
 }
 
 // Of a triangle: its area, a third of it at each middle of a side, has them.
@@ -92,6 +94,10 @@ TEST(FacetPiece, GivesPlacesBack) {
     for (const FacetPiece& piece : quarter.quarters()) {
       const Point at(place(random), place(random));
       EXPECT_NEAR((piece.on_facet(piece.within(at)) - at).norm(), 0.0, 1e-14);
+      const auto corners = corners_of(piece);
+      EXPECT_EQ(corners[0], piece.on_facet(Point(0.0, 0.0)));
+      EXPECT_EQ(corners[1], piece.on_facet(Point(1.0, 0.0)));
+      EXPECT_EQ(corners[2], piece.on_facet(Point(0.0, 1.0)));
     }
 }
 
