@@ -19,11 +19,6 @@ namespace {
 
 using Facet = CurvedSurface::Facet;
 
-// Quarters of a facet: the places of their corners, and which.
-constexpr std::array<std::array<double, 3>, 6> halfway{
-    {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
-constexpr std::array<std::array<std::size_t, 3>, 4> corners_of_quarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
-
 // A number for each place of the rule, and one more, not used: vectors hold powers of two.
 constexpr std::size_t lanes = PatchRule::size + 1;
 using Lanes = std::array<double, lanes>;
@@ -285,25 +280,39 @@ class Looking {
     return high - low;
   }
 
-  // Of a facet that is turned away in part. Quarters: where it turns lies on a parabola, nearly.
+  // Of a facet that is turned away in part. Where it turns is a parabola, nearly, in quarters of the facet. Models may
+  // end there abruptly for a pair of directions; retro they do not, or need not be known as well.
   template <class Model>
   void add_cut(const Facet& facet, double side, const Reflection<Model>& reflection, CurvedReturn& sum) const {
     const PatchPolynomial surface(facet.patch);
     const RimCut sight{surface, side * wi_, side * wr_};
-    std::array<RimCorner, 6> corners{};
-    for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = sight.at(halfway[k]);
-    for (const auto& quarter : corners_of_quarters) {
+    add_cut_quarters(sight, {sight.at({1.0, 0.0, 0.0}), sight.at({0.0, 1.0, 0.0}), sight.at({0.0, 0.0, 1.0})},
+                     retro_ ? 1 : 2, side, reflection, sum);
+    // The line is interpolated: off by a part of the facet of second order in how far the facet turns.
+    sum.bound += facet.spread * facet.spread * std::abs(sum.returned);
+  }
+
+  // depth: how often a piece through which the turn runs is cut into quarters.
+  template <class Model>
+  void add_cut_quarters(const RimCut& sight, const std::array<RimCorner, 3>& corners, int depth, double side,
+                        const Reflection<Model>& reflection, CurvedReturn& sum) const {
+    const auto& [a, b, c] = corners;
+    const RimCorner ab = sight.half_way(a, b), bc = sight.half_way(b, c), ca = sight.half_way(c, a);
+    for (const std::array<RimCorner, 3>& quarter :
+         {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}}) {
+      if (depth > 1 && is_turned_in_part(quarter)) {
+        add_cut_quarters(sight, quarter, depth - 1, side, reflection, sum);
+        continue;
+      }
       RimPolygon polygon;
-      for (const std::size_t corner : quarter) polygon.add(corners[corner]);
+      for (const RimCorner& corner : quarter) polygon.add(corner);
       polygon = sight.cut(polygon, &RimCorner::facing_i);
       if (!retro_) polygon = sight.cut(polygon, &RimCorner::facing_r);
       const std::size_t from = polygon.most_reflex();
       for (std::size_t k = 2; k < polygon.size; ++k)
-        add(surface.part({polygon.corners[from].at, polygon.after(from, k - 1).at, polygon.after(from, k).at}), side,
-            reflection, sum);
+        add(sight.surface.part({polygon.corners[from].at, polygon.after(from, k - 1).at, polygon.after(from, k).at}),
+            side, reflection, sum);
     }
-    // The line is interpolated: off by a part of the facet of second order in how far the facet turns.
-    sum.bound += facet.spread * facet.spread * std::abs(sum.returned);
   }
 
   const PatchRule& rule_ = patch_rule();

@@ -49,6 +49,15 @@ inline RimCorner between(const RimCorner& a, const RimCorner& b, double share) {
   return c;
 }
 
+// Does one of the directions see some of the corners turned away, and others not?
+inline bool is_turned_in_part(const std::array<RimCorner, 3>& corners) {
+  const auto differ = [&](double RimCorner::*facing) {
+    const bool first = corners[0].*facing > 0.0;
+    return (corners[1].*facing > 0.0) != first || (corners[2].*facing > 0.0) != first;
+  };
+  return differ(&RimCorner::facing_i) || differ(&RimCorner::facing_r);
+}
+
 // The surface of one facet, how it faces the directions at any place, and what of a part of it does.
 struct RimCut {
   const PatchPolynomial& surface;
@@ -58,6 +67,8 @@ struct RimCut {
     const Vec3 vector = surface.at(place);
     return {place, vector.dot(wi), vector.dot(wr)};
   }
+
+  [[nodiscard]] RimCorner half_way(const RimCorner& a, const RimCorner& b) const { return at(between(a, b, 0.5).at); }
 
   // Where the surface turns away between two places: a line, and a parabola through three of its places.
   [[nodiscard]] RimCorner turn(const RimCorner& a, const RimCorner& b, double RimCorner::*facing) const {
@@ -72,7 +83,7 @@ struct RimCut {
   // Half way along the line from where a polygon's rim leaves what faces the direction to where it comes back, moved
   // so far that the two pieces have the area of the parabola over it.
   [[nodiscard]] RimCorner bend(const RimCorner& leaves, const RimCorner& enters, double RimCorner::*facing) const {
-    const RimCorner middle = at(between(leaves, enters, 0.5).at);
+    const RimCorner middle = half_way(leaves, enters);
     // Across the line on the facet; how facing changes there is taken from a step as long as a quarter of it.
     const std::array<double, 3> along{enters.at[0] - leaves.at[0], enters.at[1] - leaves.at[1],
                                       enters.at[2] - leaves.at[2]};

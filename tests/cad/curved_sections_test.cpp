@@ -145,8 +145,6 @@ TEST(CurvedSections, SigmaFromRandomPairsOfDirectionsIsRightToMillionths) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (const Solid& solid : solids()) {
     if (solid.name == "torus" || solid.name == "paraboloid") continue;  // shade themselves from some
-    // A B-spline, of which the terminator is known to third order only.
-    const double error = solid.name == "ellipsoid" ? 6e-6 : solid.error;
     Target target = target_of(solid.shape, solid.angle_deg);
     for (const auto& [name, brdf] : materials())
       for (int k = 0; k < 6; ++k) {
@@ -159,7 +157,7 @@ TEST(CurvedSections, SigmaFromRandomPairsOfDirectionsIsRightToMillionths) {
         const Estimate sigma = sigma_of(target, brdf, from);
         const auto where = testing::Message() << solid.name << ", " << name << ", " << azimuth << " " << elevation
                                               << " to " << receiver.azimuth_deg << " " << receiver.elevation_deg;
-        EXPECT_NEAR(sigma.value, exact, error * exact) << where;
+        EXPECT_NEAR(sigma.value, exact, solid.error * exact) << where;
         EXPECT_NEAR(sigma.value, exact, sigma.bound + 3e-8 * exact) << where;
       }
   }
