@@ -72,8 +72,8 @@ Brdf brdf_from_yaml(const LocatedYaml& node, const BrdfForm& form) {
   }
 }
 
-std::string brdf_to_yaml(const Brdf& brdf) {
-  if (const auto* tabulated = std::get_if<Tabulated>(&brdf)) return tabulated_to_yaml(*tabulated);
+std::string brdf_to_yaml(const Brdf& brdf, const std::filesystem::path& folder) {
+  if (const auto* tabulated = std::get_if<Tabulated>(&brdf)) return tabulated_to_yaml(*tabulated, folder);
   const BrdfWords words = words_of(brdf);
   std::string yaml = fmt::format("model: {}\n", words.form->name);
   for (std::size_t k = 0; k < words.values.size(); ++k)
@@ -108,8 +108,8 @@ Material material_from_yaml(const LocatedYaml& node, const std::string& name) {
           node.has("source") ? node.at("source").text() : ""};
 }
 
-std::string material_to_yaml(const Material& material) {
-  std::string yaml = brdf_to_yaml(material.brdf);
+std::string material_to_yaml(const Material& material, const std::filesystem::path& folder) {
+  std::string yaml = brdf_to_yaml(material.brdf, folder);
   if (material.wavelength > 0.0) yaml += fmt::format("wavelength: {}\n", text_of_length(material.wavelength, "um"));
   if (!material.source.empty()) yaml += fmt::format("source: {}\n", quoted_yaml(material.source));
   return yaml;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "base/located_yaml.h"
@@ -17,7 +18,8 @@ namespace lrcs {
 // The material as such a mapping, one key a line, without its name.
 // law: material_from_yaml reads back the same BRDF, wavelength and source, to the last bit; that of a measurement as
 //   long as its file is there.
-[[nodiscard]] std::string material_to_yaml(const Material& material);
+// folder: where the mapping will lie, for the path of a measurement; "": in the working folder.
+[[nodiscard]] std::string material_to_yaml(const Material& material, const std::filesystem::path& folder = {});
 
 // A material from the command line: "lambert:0.8", a name of the library, or a YAML file that holds one mapping as
 // above. The name of the library wins over a file called so. None of these: InputError.

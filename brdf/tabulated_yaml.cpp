@@ -9,6 +9,7 @@
 
 #include "base/digest.h"
 #include "base/length.h"
+#include "base/path_from.h"
 #include "brdf/yaml_words.h"
 
 namespace lrcs {
@@ -79,9 +80,10 @@ Material tabulated_from_yaml(const LocatedYaml& node, const std::string& name) {
           node.has("source") ? node.at("source").text() : ""};
 }
 
-std::string tabulated_to_yaml(const Tabulated& tabulated) {
+std::string tabulated_to_yaml(const Tabulated& tabulated, const std::filesystem::path& folder) {
   const MeasuredFile& file = tabulated.file();
-  std::string yaml = fmt::format("model: {}\nfile: {}\n", tabulated_model, quoted_yaml(file.path));
+  const std::string path = folder.empty() ? file.path : path_from(folder, file.path);
+  std::string yaml = fmt::format("model: {}\nfile: {}\n", tabulated_model, quoted_yaml(path));
   if (file.options.azimuth_of_specular)
     yaml += fmt::format("azimuth_of_specular: {}\n", *file.options.azimuth_of_specular);
   return yaml + fmt::format("outside: {}\n", word_of(tabulated.outside()));

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ inline constexpr const char* tabulated_model = "tabulated";
 // error: InputError at file:line:column.
 [[nodiscard]] Material tabulated_from_yaml(const LocatedYaml& node, const std::string& name);
 
-// The mapping, one key a line, without wavelength and source. The path is relative to the working folder, or absolute.
-[[nodiscard]] std::string tabulated_to_yaml(const Tabulated& tabulated);
+// The mapping, one key a line, without wavelength and source. folder: the path is relative to it; "": relative to the
+// working folder, or absolute.
+[[nodiscard]] std::string tabulated_to_yaml(const Tabulated& tabulated, const std::filesystem::path& folder);
 
 }  // namespace lrcs

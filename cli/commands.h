@@ -18,6 +18,7 @@ struct Common {
 // Each adds its verb to the program; the verb's work runs when the verb is parsed (CLI11 callbacks).
 // Work throws InputError for wrong input, std::runtime_error for what could not be finished.
 void add_sweep_command(CLI::App& app, Common& common);
+void add_view_command(CLI::App& app, Common& common);
 void add_check_command(CLI::App& app, Common& common);
 void add_info_command(CLI::App& app, Common& common);
 void add_repair_command(CLI::App& app, Common& common);

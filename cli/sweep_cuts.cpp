@@ -8,57 +8,85 @@
 namespace lrcs {
 namespace {
 
-// Rows of equal `fixed` angle make a curve against the other one, in rising order.
-std::vector<Curve> curves_of(const std::vector<SweepRow>& rows, double AspectAngles::*fixed,
-                             double AspectAngles::*running, const char* name) {
-  std::map<double, std::map<double, double>> sigma;
-  for (const SweepRow& row : rows)
-    sigma[row.aspect.transmitter.*fixed][row.aspect.transmitter.*running] = row.sigma.value;
-  std::vector<Curve> curves;
-  for (const auto& [at, points] : sigma) {
-    Curve curve;
-    curve.label = fmt::format("{} {} deg", name, at);
-    for (const auto& [angle, value] : points) {
-      curve.angle_deg.push_back(angle);
-      curve.sigma_m2.push_back(value);
-    }
-    curves.push_back(std::move(curve));
+// Rows of equal `fixed` angle make a cut against the other one, in rising order. Of rows with the same angles the last
+// one counts.
+std::vector<ViewedCut> cuts_along(const std::vector<SweepRow>& rows, double AspectAngles::*fixed,
+                                  double AspectAngles::*running, const char* name) {
+  std::map<double, std::map<double, std::size_t>> row_at;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const AspectAngles& angles = rows[row].aspect.transmitter;
+    row_at[angles.*fixed][angles.*running] = row;
   }
-  return curves;
+  std::vector<ViewedCut> cuts;
+  for (const auto& [at, points] : row_at) {
+    ViewedCut& cut = cuts.emplace_back();
+    cut.curve.label = fmt::format("{} {} deg", name, at);
+    for (const auto& [angle, row] : points) {
+      cut.curve.angle_deg.push_back(angle);
+      cut.curve.sigma_m2.push_back(rows[row].sigma.value);
+      cut.rows.push_back(row);
+    }
+  }
+  return cuts;
 }
 
-std::size_t longest(const std::vector<Curve>& curves) {
+std::size_t longest(const std::vector<ViewedCut>& cuts) {
   std::size_t most = 0;
-  for (const Curve& curve : curves) most = std::max(most, curve.angle_deg.size());
+  for (const ViewedCut& cut : cuts) most = std::max(most, cut.rows.size());
   return most;
+}
+
+ViewedCut cut_along_rows(const std::vector<SweepRow>& rows) {
+  ViewedCut all{{"directions", {}, {}}, {}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    all.curve.angle_deg.push_back(static_cast<double>(row));
+    all.curve.sigma_m2.push_back(rows[row].sigma.value);
+    all.rows.push_back(row);
+  }
+  return all;
 }
 
 }  // namespace
 
+std::vector<Curve> Cuts::curves(std::size_t most, std::size_t* left_out) const {
+  std::vector<Curve> curves;
+  for (std::size_t k = 0; k < std::min(most, cuts.size()); ++k) curves.push_back(cuts[k].curve);
+  if (left_out != nullptr) *left_out = cuts.size() - curves.size();
+  return curves;
+}
+
 Cuts cuts_of(const std::vector<SweepRow>& rows) {
-  Cuts cuts;
-  cuts.axis = "azimuth (deg)";
-  cuts.curves = curves_of(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation");
-  if (longest(cuts.curves) <= 1 && rows.size() > 1) {
+  Cuts cuts{cuts_along(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation"), "azimuth (deg)"};
+  if (longest(cuts.cuts) <= 1 && rows.size() > 1) {
     cuts.axis = "elevation (deg)";
     cuts.angle = CutAngle::elevation;
-    cuts.curves = curves_of(rows, &AspectAngles::azimuth_deg, &AspectAngles::elevation_deg, "azimuth");
+    cuts.cuts = cuts_along(rows, &AspectAngles::azimuth_deg, &AspectAngles::elevation_deg, "azimuth");
   }
-  if (longest(cuts.curves) <= 1 && rows.size() > 1) {
+  if (longest(cuts.cuts) <= 1 && rows.size() > 1) {
     cuts.axis = "row of sweep.csv";
     cuts.angle = CutAngle::other;
-    Curve all{"directions", {}, {}};
-    for (const SweepRow& row : rows) {
-      all.angle_deg.push_back(static_cast<double>(all.angle_deg.size()));
-      all.sigma_m2.push_back(row.sigma.value);
-    }
-    cuts.curves = {std::move(all)};
-  }
-  if (cuts.curves.size() > most_curves) {
-    cuts.left_out = cuts.curves.size() - most_curves;
-    cuts.curves.resize(most_curves);
+    cuts.cuts = {cut_along_rows(rows)};
   }
   return cuts;
+}
+
+ViewedSweep viewed_sweep(const std::vector<SweepRow>& rows, const FacetMesh& mesh, std::string title) {
+  Cuts cuts = cuts_of(rows);
+  ViewedSweep sweep{&mesh, std::move(title), {"", cuts.axis, cuts.angle}, std::move(cuts.cuts), {}, {}};
+  std::map<std::pair<double, double>, ViewedSweep::Place> place_of_angles;
+  const auto angles_of_row = [&](std::size_t row) {
+    const AspectAngles& angles = rows[row].aspect.transmitter;
+    return std::pair(angles.azimuth_deg, angles.elevation_deg);
+  };
+  for (std::size_t cut = 0; cut < sweep.cuts.size(); ++cut)
+    for (std::size_t point = 0; point < sweep.cuts[cut].rows.size(); ++point)
+      place_of_angles[angles_of_row(sweep.cuts[cut].rows[point])] = {cut, point};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const bool by_row = sweep.axis.angle == CutAngle::other;
+    sweep.places.push_back(by_row ? ViewedSweep::Place{0, row} : place_of_angles.at(angles_of_row(row)));
+    sweep.bound_m2.push_back(rows[row].sigma.bound);
+  }
+  return sweep;
 }
 
 }  // namespace lrcs

@@ -3,21 +3,26 @@
 #include <vector>
 
 #include "lrcs/sweep.h"
-#include "view/sweep_plot.h"
+#include "view/viewed_sweep.h"
 
 namespace lrcs {
 
-// A sweep as curves to draw: sigma against azimuth, one curve an elevation; against elevation where the azimuth is
-// always the same; against the row's number for a list of loose directions.
+// A sweep as cuts to draw: sigma against azimuth, one cut an elevation; against elevation where the azimuth is always
+// the same; against the row's number for a list of loose directions.
 struct Cuts {
-  std::vector<Curve> curves;  // at most `most_curves`; the rest is left out
-  std::string axis;           // "azimuth [deg]", ...
+  std::vector<ViewedCut> cuts;
+  std::string axis;  // "azimuth (deg)", ...
   CutAngle angle = CutAngle::azimuth;
-  std::size_t left_out = 0;  // curves not drawn
-};
 
+  // The first ones. left_out: how many are not among them.
+  [[nodiscard]] std::vector<Curve> curves(std::size_t most, std::size_t* left_out = nullptr) const;
+};
+[[nodiscard]] Cuts cuts_of(const std::vector<SweepRow>& rows);
+
+// More are not told apart in one plot.
 inline constexpr std::size_t most_curves = 7;
 
-[[nodiscard]] Cuts cuts_of(const std::vector<SweepRow>& rows);
+// The sweep to be looked at on a target; both are to outlive it.
+[[nodiscard]] ViewedSweep viewed_sweep(const std::vector<SweepRow>& rows, const FacetMesh& mesh, std::string title);
 
 }  // namespace lrcs

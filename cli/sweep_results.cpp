@@ -11,7 +11,10 @@
 
 #include "base/digest.h"
 #include "base/whole_file.h"
+#include "cli/facet_results.h"
+#include "cli/past_run.h"
 #include "cli/sweep_cuts.h"
+#include "lrcs/scene_yaml.h"
 #include "lrcs/sweep_csv.h"
 #include "view/facets_picture.h"
 #include "view/facets_vtp.h"
@@ -32,22 +35,6 @@ void make_folder(const std::filesystem::path& folder) {
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw InputError(Place{folder.string()},
                      fmt::format("results cannot be written to this folder: {}", std::strerror(errno)));
-}
-
-FacetResult facet_result(const Target& target, const SweepRow& row, const CrossSection& section) {
-  FacetResult result;
-  result.material = target.material;
-  for (std::size_t f = 0; f < target.back.size(); ++f)
-    if (target.mesh.normals[f].dot(row.aspect.to_receiver) < 0.0) result.material[f] = target.back[f];
-  for (const Material& m : target.materials) result.material_names.push_back(m.name);
-  result.seen_fraction = section.seen_fraction;
-  result.sigma_m2 = section.facet_sigma;
-  result.transmitter_azimuth_deg = row.aspect.transmitter.azimuth_deg;
-  result.transmitter_elevation_deg = row.aspect.transmitter.elevation_deg;
-  result.receiver_azimuth_deg = row.aspect.receiver.azimuth_deg;
-  result.receiver_elevation_deg = row.aspect.receiver.elevation_deg;
-  result.sigma_total_m2 = row.sigma.value;
-  return result;
 }
 
 }  // namespace
@@ -87,6 +74,8 @@ void SweepResults::write_facets(std::size_t row, const SweepRow& result, const C
 void SweepResults::write_table(const std::vector<SweepRow>& rows) {
   write_whole_file(folder_ / "sweep.csv", sweep_csv(scene_, loaded_.digest, rows));
   keep("sweep.csv");
+  write_whole_file(folder_ / scene_as_run, scene_to_yaml(scene_, folder_));
+  keep(scene_as_run);
 }
 
 void SweepResults::attempt(const std::string& name,
@@ -102,14 +91,15 @@ void SweepResults::attempt(const std::string& name,
 
 void SweepResults::draw(const std::vector<SweepRow>& rows, std::vector<std::string>& warnings) {
   const Cuts cuts = cuts_of(rows);
-  const std::string what = scene_.receiver.kind == Receiver::Kind::monostatic ? "Monostatic LRCS" : "Bistatic LRCS";
-  const PlotText text{fmt::format("{} of {}", what, scene_.target.file.filename().string()), cuts.axis, cuts.angle};
-  if (cuts.left_out > 0)
-    warnings.push_back(fmt::format("the plots show the first {} cuts, {} are left out", most_curves, cuts.left_out));
+  std::size_t left_out = 0;
+  const std::vector<Curve> curves = cuts.curves(most_curves, &left_out);
+  const PlotText text{title_of(scene_), cuts.axis, cuts.angle};
+  if (left_out > 0)
+    warnings.push_back(fmt::format("the plots show the first {} cuts, {} are left out", most_curves, left_out));
   attempt(
-      "sweep.png", [&](const auto& png) { draw_sweep_plot(png, cuts.curves, text); }, warnings);
+      "sweep.png", [&](const auto& png) { draw_sweep_plot(png, curves, text); }, warnings);
   attempt(
-      "polar.png", [&](const auto& png) { draw_polar_plot(png, cuts.curves, text); }, warnings);
+      "polar.png", [&](const auto& png) { draw_polar_plot(png, curves, text); }, warnings);
   if (scene_.facets.directions.size() > most_pictures())
     warnings.push_back(
         fmt::format("pictures are drawn of the first {} facet files only, to save memory", most_pictures()));

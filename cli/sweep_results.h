@@ -22,6 +22,7 @@ class SweepResults {
   [[nodiscard]] bool wants_facets(std::size_t row) const { return !files_of_row_[row].empty(); }
   void write_facets(std::size_t row, const SweepRow& result, const CrossSection& section);
 
+  // sweep.csv, and the scene as it was run.
   void write_table(const std::vector<SweepRow>& rows);
   // sweep.png and polar.png, and a picture of each facet file asked by direction, as many as memory is set aside for.
   // What cannot be drawn is a warning.

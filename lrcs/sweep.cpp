@@ -1,6 +1,5 @@
 #include "lrcs/sweep.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -12,10 +11,10 @@
 
 #include "lrcs/convex_body.h"
 #include "lrcs/convexity.h"
+#include "lrcs/facet_sections.h"
 #include "lrcs/mirror_planes.h"
 #include "lrcs/return_error.h"
 #include "lrcs/sampled_sections.h"
-#include "lrcs/seen_parts.h"
 #include "lrcs/sweep_plan.h"
 
 namespace lrcs {
@@ -43,6 +42,7 @@ class Sweep {
     if (convex_) compute_convex();
     if (sampled_) sample();
     if (visibility_) leave_out_facets();
+    sections_.emplace(target_, visibility_ ? &*visibility_ : nullptr);
     methods_.exact = alone_.size() + batched_.size();
     tbb::parallel_for(std::size_t{0}, alone_.size(), [this](std::size_t k) { compute(alone_[k]); });
     copy_alike();
@@ -126,15 +126,8 @@ class Sweep {
   }
 
   void compute(std::size_t row) {
-    const Vec3 &di = aspects_[row].to_transmitter, &dr = aspects_[row].to_receiver;
-    auto& [seen, parts, section] = memory_.local();
     VisibilityCost cost;
-    SeenParts* const of_row = convex_ || target_.curved.empty() ? nullptr : &parts;
-    if (convex_)
-      seen = convex_seen_fraction(target_.mesh, di, dr);
-    else
-      visibility_->seen_fraction(di, dr, seen, &cost, of_row);
-    cross_section(target_, seen, di, dr, section, of_row);
+    const CrossSection& section = sections_->at(aspects_[row], &cost);
     const std::scoped_lock lock(watching_);
     rows_[row] = {aspects_[row], section.sigma, section.seen_area};
     skipped_.free_convex_parts += cost.free_convex_parts;
@@ -197,12 +190,7 @@ class Sweep {
   bool convex_ = false;
   std::optional<SampledSections> sampled_;
   std::optional<Visibility> visibility_;
-  struct Memory {  // of a thread
-    std::vector<Estimate> seen;
-    SeenParts parts;
-    CrossSection section;
-  };
-  tbb::enumerable_thread_specific<Memory> memory_;
+  std::optional<FacetSections> sections_;
   std::vector<std::size_t> alike_, alone_, batched_;
   std::vector<SweepRow> rows_;
   SkipCounts skipped_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ namespace lrcs {
 // row. Numbers are the shortest that read back to the same double.
 [[nodiscard]] std::string sweep_csv(const Scene& scene, const std::string& target_digest,
                                     const std::vector<SweepRow>& rows);
+
+// The rows of such a file. error: InputError at file:line:column. Receivers of bistatic rows are known to the rounding
+// of their angles.
+[[nodiscard]] std::vector<SweepRow> read_sweep_csv(const std::filesystem::path& file);
 
 }  // namespace lrcs

@@ -1,23 +1,17 @@
 #include "view/canvas.h"
 
 #include <vtkImageBlend.h>
-#include <vtkImageCanvasSource2D.h>
 #include <vtkImageData.h>
-#include <vtkImageFlip.h>
 #include <vtkImageMapToColors.h>
-#include <vtkImagePermute.h>
-#include <vtkImageShrink3D.h>
 #include <vtkImageTranslateExtent.h>
 #include <vtkImplicitModeller.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkTrivialProducer.h>
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -120,24 +114,23 @@ void Canvas::lay(vtkAlgorithm* mask, int left, int bottom, const Pixels& area, v
   sheet->CopyAndCastFrom(blend->GetOutput(), extent.data());
 }
 
+void Canvas::blend(int column, int row, const Colour& colour, double opacity) {
+  std::uint8_t* pixel = &sheet_.rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(sheet_.width) +
+                                         static_cast<std::size_t>(column))];
+  const std::array<double, 3> ink{colour.red, colour.green, colour.blue};
+  for (std::size_t k = 0; k < 3; ++k)
+    pixel[k] = static_cast<std::uint8_t>(std::lround(std::lerp(pixel[k], 255.0 * ink[k], opacity)));
+}
+
 void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
   const Pixels area = pixels_of(box);
-  if (area.empty()) return;
-  constexpr int fine = 4;
-  const auto cell = [](double place, int low, int high) {
-    return static_cast<int>(std::lround(fine * std::clamp<double>(place, low, high)));
+  // The share of a pixel between two places.
+  const auto share = [](int pixel, double low, double high) {
+    return std::max(0.0, std::min(high, pixel + 1.0) - std::max(low, pixel + 0.0));
   };
-  vtkNew<vtkImageCanvasSource2D> cells;
-  cells->SetScalarTypeToUnsignedChar();
-  cells->SetExtent(fine * area.left, fine * area.right - 1, fine * area.bottom, fine * area.top - 1, 0, 0);
-  cells->FillBox(0, INT_MAX, 0, INT_MAX);
-  cells->SetDrawColor(255.0);
-  cells->FillBox(cell(box.low.x, area.left, area.right), cell(box.high.x, area.left, area.right) - 1,
-                 cell(box.low.y, area.bottom, area.top), cell(box.high.y, area.bottom, area.top) - 1);
-  vtkNew<vtkImageShrink3D> mean;
-  mean->SetInputConnection(cells->GetOutputPort());
-  mean->SetShrinkFactors(fine, fine, 1);
-  lay(mean, 0, 0, area, inks(colour, {0.0, 255.0, 0.0, opacity}));
+  for (int row = area.bottom; row < area.top; ++row)
+    for (int column = area.left; column < area.right; ++column)
+      blend(column, row, colour, opacity * share(row, box.low.y, box.high.y) * share(column, box.low.x, box.high.x));
 }
 
 void Canvas::line(const std::vector<Point>& points, const Pen& pen) {
@@ -181,6 +174,16 @@ void Canvas::tiles(const std::vector<Tile>& tiles) {
   paint_tiles(sheet_, clip_, tiles);
 }
 
+void Canvas::paste(const Picture& picture, int left, int bottom) {
+  const Pixels area =
+      pixels_of({{left + 0.0, bottom + 0.0}, {left + 0.0 + picture.width, bottom + 0.0 + picture.height}});
+  for (int row = area.bottom; row < area.top; ++row) {
+    const auto from = 3 * (static_cast<std::ptrdiff_t>(row - bottom) * picture.width + area.left - left);
+    const auto to = 3 * (static_cast<std::ptrdiff_t>(row) * sheet_.width + area.left);
+    std::copy_n(picture.rgb.begin() + from, 3 * std::max(0, area.right - area.left), sheet_.rgb.begin() + to);
+  }
+}
+
 void Canvas::text(const Point& anchor, const std::string& text, const TextStyle& style) {
   TextBitmap bitmap = text_bitmap(text, style.font);
   const double dx = shift(style.x, bitmap.width);
@@ -193,16 +196,16 @@ void Canvas::text(const Point& anchor, const std::string& text, const TextStyle&
                    {static_cast<double>(left + across), static_cast<double>(bottom + up)}};
   if (style.halo > 0.0) fill(ground, white, style.halo);
   const Pixels area = pixels_of(ground);
-  if (area.empty()) return;
-  vtkNew<vtkTrivialProducer> flat;
-  flat->SetOutput(image_on(bitmap.coverage.data(), bitmap.width, bitmap.height, 1));
-  vtkNew<vtkImagePermute> mirrored;
-  mirrored->SetInputConnection(flat->GetOutputPort());
-  mirrored->SetFilteredAxes(1, 0, 2);
-  vtkNew<vtkImageFlip> turned;
-  turned->SetInputConnection(mirrored->GetOutputPort());
-  vtkAlgorithm* mask = style.upward ? static_cast<vtkAlgorithm*>(turned) : flat;
-  lay(mask, left, bottom, area, inks(style.colour, {0.0, 255.0, 0.0, 1.0}));
+  for (int row = area.bottom; row < area.top; ++row)
+    for (int column = area.left; column < area.right; ++column) {
+      // Of the bitmap as it is read from left to right.
+      const int along = style.upward ? row - bottom : column - left;
+      const int above = style.upward ? left + across - 1 - column : row - bottom;
+      const std::uint8_t coverage =
+          bitmap.coverage[static_cast<std::size_t>(above) * static_cast<std::size_t>(bitmap.width) +
+                          static_cast<std::size_t>(along)];
+      if (coverage > 0) blend(column, row, style.colour, coverage / 255.0);
+    }
 }
 
 TextSize text_size(const std::string& text, const Font& font) {

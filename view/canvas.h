@@ -50,7 +50,7 @@ struct TextStyle {
 // domain: shapes may lie anywhere; what is outside the sheet (or the clip box) is not drawn. A line breaks where a
 // point is not finite.
 // laws: the same calls give the same picture, on any machine with the same VTK and FreeType.
-// error: one level a shape, darker, where it mixes with what lies below.
+// error: one level a shape where it mixes with what lies below.
 // check: tests/view/canvas_test.cpp measures areas of ink.
 class Canvas {
  public:
@@ -63,7 +63,6 @@ class Canvas {
   void clip(const Box& box);
   void no_clip();
 
-  // error: 1/8 pixel an edge; none on whole pixels, halves and quarters.
   void fill(const Box& box, const Colour& colour, double opacity = 1.0);
   // Through the points in order, with round joins and ends. error: 2 % of the inked area.
   void line(const std::vector<Point>& points, const Pen& pen);
@@ -74,6 +73,8 @@ class Canvas {
   void disc(const Point& centre, double radius, const Colour& colour);
   // Filled polygons, later ones over earlier ones, without seams between neighbours: see view/tiles.h.
   void tiles(const std::vector<Tile>& tiles);
+  // Another picture over this one, its lower left pixel at (left, bottom); what lies outside the clip box is left out.
+  void paste(const Picture& picture, int left, int bottom);
   void text(const Point& anchor, const std::string& text, const TextStyle& style);
 
   [[nodiscard]] const Picture& picture() const { return sheet_; }
@@ -84,6 +85,7 @@ class Canvas {
     [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
   };
   [[nodiscard]] Pixels pixels_of(const Box& box) const;
+  void blend(int column, int row, const Colour& colour, double opacity);
   void lay(vtkAlgorithm* mask, int left, int bottom, const Pixels& area, vtkScalarsToColors* inks);
 
   Picture sheet_;

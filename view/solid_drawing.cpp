@@ -11,17 +11,14 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "view/private_display.h"
-#include "view/vtk_errors.h"
+#include "view/offscreen.h"
 
 namespace lrcs {
 namespace {
@@ -105,46 +102,11 @@ void look_straight_down(vtkRenderer* renderer, int width, int height) {
   camera->SetClippingRange(clear, 4.0 * clear);
 }
 
-// Pixels are drawn finer and averaged: smooth edges, whatever the driver offers.
-int fineness(int width, int height) {
-  constexpr int largest = 8192;  // what every driver takes
-  return std::clamp(largest / std::max(width, height), 1, 3);
-}
-
-Picture pixels_of(vtkRenderWindow* window, int width, int height) {
-  vtkNew<vtkUnsignedCharArray> rgb;
-  const int got = window->GetPixelData(0, 0, width - 1, height - 1, 0, rgb.Get());
-  const auto bytes = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (got == 0 || static_cast<std::size_t>(rgb->GetNumberOfValues()) != bytes) {
-    throw std::runtime_error("the 3-D picture cannot be drawn: OpenGL gave no pixels");
-  }
-  return {width, height, {rgb->GetPointer(0), rgb->GetPointer(0) + bytes}};
-}
-
-Picture rendered(vtkRenderer* renderer, int width, int height) {
-  std::string why;
-  const auto display = PrivateDisplay::open(&why);
-  if (!display) throw std::runtime_error("3-D pictures cannot be drawn here: " + why);
-  const VtkErrors errors;
-  vtkNew<vtkRenderWindow> window;
-  window->SetDisplayId(display->connection());
-  window->SetMultiSamples(0);
-  window->SetShowWindow(false);
-  window->SetUseOffScreenBuffers(true);
-  window->SetSize(width, height);
-  window->AddRenderer(renderer);
-  window->Render();
-  Picture picture = pixels_of(window, width, height);
-  if (errors.any()) throw std::runtime_error("the 3-D picture cannot be drawn: " + errors.first());
-  if (display->failed()) throw std::runtime_error("the 3-D picture cannot be drawn: the X server failed");
-  return picture;
-}
-
 }  // namespace
 
 Picture solid_drawing(const FacetMesh& mesh, const std::vector<Colour>& colours, const ParallelView& view, int width,
                       int height) {
-  const int fine = fineness(width, height);
+  const int fine = offscreen_fineness(width, height);
   const auto triangles = triangles_in_view(mesh, view);
   triangles->GetCellData()->SetScalars(shaded(mesh, colours, view));
   vtkNew<vtkRenderer> renderer;
@@ -152,7 +114,7 @@ Picture solid_drawing(const FacetMesh& mesh, const std::vector<Colour>& colours,
   renderer->AddActor(facets_actor(triangles));
   renderer->AddActor(creases_actor(triangles, 1.6 * fine));
   look_straight_down(renderer, width, height);
-  return shrunk(rendered(renderer, fine * width, fine * height), fine);
+  return shrunk(drawn_offscreen({renderer}, fine * width, fine * height), fine);
 }
 
 }  // namespace lrcs

@@ -54,16 +54,21 @@ Axis decibel_axis(const DecibelRange& range) {
 
 }  // namespace
 
-void draw_sweep_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text) {
+CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
   constexpr double least_span = 10.0;  // [dB]
   const CutDrawing drawing = cut_drawing(curves, text, least_span);
-  Canvas canvas(1600, 1000);
   const double top = draw_header(canvas, drawing.header);
   const CartesianFrame frame =
       draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));
   const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
   draw_floor_ticks(canvas, drawing, map);
   draw_curves(canvas, drawing, map, true);
+  return frame;
+}
+
+void draw_sweep_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text) {
+  Canvas canvas(1600, 1000);
+  draw_sweep_plot(canvas, curves, text);
   write_png(png, canvas.picture());
 }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "view/cartesian_frame.h"
+
 namespace lrcs {
 
 // One cut through the directions: LRCS against one angle.
@@ -35,6 +37,8 @@ struct PlotText {
 
 // Cartesian, 1600 x 1000 pixels: dBsm against the angle.
 void draw_sweep_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text);
+// The same over a whole canvas of any size that leaves room for its letters.
+CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text);
 
 // Polar, 1200 x 1200 pixels: the radius is dBsm, the floor is the centre.
 // frame: azimuth: as seen from above, the nose (0 deg) up, 90 deg to the left as on the target;

@@ -35,10 +35,10 @@ std::string program_in_path(const std::string& name) {
 }
 
 // Between fork and exec: only calls that are safe there, for other threads may have held any lock.
-[[noreturn]] void become_server(const char* program, int channel, pid_t parent) {
+[[noreturn]] void become_server(const char* program, const char* screen, int channel, pid_t parent) {
   // Left out: -ac. Only this user may connect.
-  static const std::array<const char*, 9> arguments{"Xvfb",     "-displayfd", "3",   "-screen", "0",
-                                                    "64x64x24", "-nolisten",  "tcp", nullptr};
+  const std::array<const char*, 9> arguments{"Xvfb", "-displayfd", "3",   "-screen", "0",
+                                             screen, "-nolisten",  "tcp", nullptr};
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   sigset_t none;
@@ -78,7 +78,7 @@ std::string line_from(int channel) {
 
 }  // namespace
 
-std::unique_ptr<XServer> XServer::start(std::string* why_not) {
+std::unique_ptr<XServer> XServer::start(std::string* why_not, const std::string& screen) {
   const std::string program = program_in_path("Xvfb");
   if (program.empty()) {
     *why_not = "Xvfb is not installed (Debian package xvfb)";
@@ -91,7 +91,7 @@ std::unique_ptr<XServer> XServer::start(std::string* why_not) {
   }
   const pid_t parent = getpid();
   const pid_t child = fork();
-  if (child == 0) become_server(program.c_str(), channel[1], parent);
+  if (child == 0) become_server(program.c_str(), screen.c_str(), channel[1], parent);
   close(channel[1]);
   std::unique_ptr<XServer> server;
   if (child > 0) {

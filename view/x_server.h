@@ -6,13 +6,14 @@
 
 namespace lrcs {
 
-// An X server of our own (Xvfb): one 64 x 64 screen in memory, no network, its own process group.
+// An X server of our own (Xvfb): one screen in memory, no network, its own process group.
 // It ends with this object, and with this process however that ends: SIGKILL too. It writes nothing to our stderr.
 class XServer {
  public:
   // Starts `Xvfb` from PATH and waits until it takes connections, at most 10 s. Null, and *why_not set, if that fails.
   // From the thread that will outlive it: the kernel ends the server with the thread that started it.
-  static std::unique_ptr<XServer> start(std::string* why_not);
+  // screen: width x height x bits a pixel.
+  static std::unique_ptr<XServer> start(std::string* why_not, const std::string& screen = "64x64x24");
   ~XServer();
   XServer(const XServer&) = delete;
   XServer& operator=(const XServer&) = delete;

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/facet_results.h"
+#include "cli/flag_words.h"
+#include "cli/past_run.h"
+#include "cli/progress_bar.h"
+#include "cli/sweep_cuts.h"
+#include "lrcs/convexity.h"
+#include "lrcs/facet_sections.h"
+#include "view/aspect_view.h"
+#include "view/aspect_window.h"
+
+namespace lrcs {
+namespace {
+
+struct Options {
+  std::string input, png, size = "1600x900", colour = "contribution", scale = "dB", per = "area";
+  std::size_t aspect = 0;
+  double range = 40.0;
+};
+
+// A scene file is swept first.
+PastRun run_of(const std::string& input, const Common& common) {
+  if (std::filesystem::is_directory(input)) return read_past_run(input);
+  PastRun run;
+  run.scene = read_scene(input);
+  run.loaded = load_target(run.scene);
+  std::vector<Aspect> aspects;
+  for (const AspectAngles& transmitter : run.scene.directions)
+    aspects.push_back(aspect_of(transmitter, run.scene.receiver));
+  ProgressBar bar(aspects.size(), "directions", !common.quiet);
+  run.rows = run_sweep(run.loaded.target, aspects, common.threads,
+                       {[&](std::size_t done) { bar.update(done); }, {}, {}}, nullptr, run.scene.relative_accuracy);
+  return run;
+}
+
+std::array<int, 2> size_from_words(const std::string& words) {
+  std::array<int, 2> size{};
+  const auto cross = std::min(words.find('x'), words.size());
+  const char *begin = words.data(), *end = begin + words.size();
+  const auto width = std::from_chars(begin, begin + cross, size[0]);
+  const auto height = std::from_chars(std::min(begin + cross + 1, end), end, size[1]);
+  const bool is_read =
+      width.ec == std::errc{} && width.ptr == begin + cross && height.ec == std::errc{} && height.ptr == end;
+  if (!is_read || size[0] < 400 || size[1] < 300 || size[0] > 8000 || size[1] > 8000)
+    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT, 400x300 to 8000x8000 pixels, found '{}'", words));
+  return size;
+}
+
+FacetShowing showing_of(const Options& options) {
+  FacetShowing showing;
+  const std::array<const char*, 5> quantities{"contribution", "seen", "incidence", "material", "part"};
+  for (std::size_t k = 0; k < quantities.size(); ++k)
+    if (options.colour == quantities[k]) showing.quantity = static_cast<FacetQuantity>(k);
+  showing.in_decibels = options.scale == "dB";
+  showing.per_area = options.per == "area";
+  showing.darkest = -options.range;
+  return showing;
+}
+
+void view(const Options& options, const Common& common) {
+  const auto [width, height] = size_from_words(options.size);
+  const PastRun run = run_of(options.input, common);
+  if (options.aspect >= run.rows.size())
+    throw InputError(
+        fmt::format("--aspect: expected a row of the sweep, 0 to {}, found {}", run.rows.size() - 1, options.aspect));
+  std::optional<tbb::global_control> allowed;
+  if (common.threads != 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, common.threads);
+  const Target& target = run.loaded.target;
+  std::optional<Visibility> visibility;
+  if (!is_convex_body(target.mesh)) visibility.emplace(target.mesh);
+  FacetSections sections(target, visibility ? &*visibility : nullptr);
+  const ViewedSweep sweep = viewed_sweep(run.rows, target.mesh, title_of(run.scene));
+  AspectView view(sweep, [&](std::size_t row) {
+    const CrossSection& section = sections.at(run.rows[row].aspect);
+    return facet_result(target, {run.rows[row].aspect, section.sigma, section.seen_area}, section);
+  });
+  view.go_to(options.aspect);
+  view.show(showing_of(options));
+  view.look_from_receiver(false);
+  if (!options.png.empty()) {
+    write_png(options.png, view.picture(width, height));
+    return;
+  }
+  const bool is_folder = std::filesystem::is_directory(options.input);
+  show_aspect_window(view, "lrcs: " + sweep.title, is_folder ? options.input : ".",
+                     [](const std::string& line) { fmt::print("{}\n", line), std::fflush(stdout); });
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("view", "Shows which facets the return comes from, row by row of a sweep");
+  verb->add_option("input", options->input, "Folder that lrcs sweep wrote, or SCENE.yaml")->required();
+  verb->add_option("--png", options->png, "Draws a picture into this file instead of opening a window");
+  verb->add_option("--size", options->size, "Of the picture: WIDTHxHEIGHT [pixel] (default 1600x900)");
+  verb->add_option("--aspect", options->aspect, "Row of the sweep to begin with, from 0 (default 0)");
+  verb->add_option("--colour", options->colour, "What colours show (default contribution)")
+      ->check(CLI::IsMember({"contribution", "seen", "incidence", "material", "part"}));
+  verb->add_option("--scale", options->scale, "Of contributions (default dB)")->check(CLI::IsMember({"dB", "linear"}));
+  verb->add_option("--per", options->per, "Contributions over the facet's area, or of the facet (default area)")
+      ->check(CLI::IsMember({"area", "facet"}));
+  verb->add_option("--range", options->range, "Decibels that colours span (default 40)")->check(CLI::Range(1.0, 200.0));
+  add_common_flags(*verb, common);
+  verb->callback([options, &common] { view(*options, common); });
+}
+
+}  // namespace lrcs

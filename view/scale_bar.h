@@ -1,0 +1,11 @@
+#pragma once
+#include "view/canvas.h"
+#include "view/facet_colours.h"
+
+namespace lrcs {
+
+// What colours of facets mean: an upright bar with marks and labels to its right and its title to its left, or a list
+// of names; and the grey of what is not lit and seen.
+void draw_scale(Canvas& canvas, const Box& bar, const ColourScale& scale, const Font& font);
+
+}  // namespace lrcs

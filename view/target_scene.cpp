@@ -1,0 +1,290 @@
+#include "view/target_scene.h"
+
+#include <vtkActor.h>
+#include <vtkArrowSource.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellPicker.h>
+#include <vtkCleanPolyData.h>
+#include <vtkFeatureEdges.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "view/offscreen.h"
+#include "view/parallel_view.h"
+
+namespace lrcs {
+namespace {
+
+constexpr double sharp = 30.0;  // where facets turn by more, a line is drawn [deg]
+
+vtkSmartPointer<vtkPolyData> triangles_of(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& p : mesh.positions) points->InsertNextPoint(p.data());
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t k = 0; k < mesh.size(); ++k)
+    if (const auto& f = mesh.facets[k]; !part || mesh.part.of[k] == *part)
+      triangles->InsertNextCell({f[0], f[1], f[2]});
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+// Creases and rims.
+void set_lines(vtkActor* actor, vtkPolyData* triangles, const Colour& colour, double width) {
+  vtkNew<vtkCleanPolyData> welded;
+  welded->SetInputData(triangles);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(welded->GetOutputPort());
+  edges->SetFeatureAngle(sharp);
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(edges->GetOutput());
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1.0, -2.0);
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(colour.red, colour.green, colour.blue);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+}
+
+struct Arrow {
+  vtkNew<vtkActor> body;
+  vtkNew<vtkBillboardTextActor3D> name;
+
+  explicit Arrow(const Colour& colour) {
+    vtkNew<vtkArrowSource> source;
+    source->SetTipResolution(24);
+    source->SetShaftResolution(24);
+    source->SetShaftRadius(0.035);
+    source->SetTipRadius(0.11);
+    source->SetTipLength(0.32);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    body->SetMapper(mapper);
+    body->PickableOff();
+    body->GetProperty()->SetColor(colour.red, colour.green, colour.blue);
+    body->GetProperty()->SetAmbient(0.6);
+    body->GetProperty()->SetDiffuse(0.4);
+    name->PickableOff();
+    name->GetTextProperty()->SetColor(colour.red, colour.green, colour.blue);
+    name->GetTextProperty()->BoldOn();
+    name->GetTextProperty()->SetJustificationToCentered();
+    name->GetTextProperty()->SetVerticalJustificationToCentered();
+  }
+  void set(const Vec3& from, const Vec3& direction, double length, double name_beyond, const char* text) {
+    const Vec3 d = direction.normalized();
+    const Vec3 across = (std::abs(d.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)).cross(d).normalized();
+    const Vec3 third = d.cross(across);
+    vtkNew<vtkMatrix4x4> place;
+    for (int k = 0; k < 3; ++k) {
+      place->SetElement(k, 0, length * d[k]);
+      place->SetElement(k, 1, length * across[k]);
+      place->SetElement(k, 2, length * third[k]);
+      place->SetElement(k, 3, from[k]);
+    }
+    body->SetUserMatrix(place);
+    const Vec3 at = from + (length + name_beyond) * d;
+    name->SetPosition(at.x(), at.y(), at.z());
+    name->SetInput(text);
+  }
+  void add_to(vtkRenderer* renderer) const {
+    renderer->AddActor(body);
+    renderer->AddActor(name);
+  }
+  void show(bool is_shown) const {
+    body->SetVisibility(is_shown);
+    name->SetVisibility(is_shown);
+  }
+};
+
+}  // namespace
+
+struct TargetScene::Hidden {
+  explicit Hidden(const FacetMesh& m) : mesh(m), triangles(triangles_of(m)) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& facet : mesh.facets)
+      for (const std::uint32_t v : facet)
+        low = low.cwiseMin(mesh.positions[v]), high = high.cwiseMax(mesh.positions[v]);
+    centre = 0.5 * (low + high);
+    radius = std::max(0.5 * (high - low).norm(), std::numeric_limits<double>::min());
+    rgb->SetNumberOfComponents(3);
+    rgb->SetNumberOfTuples(static_cast<vtkIdType>(mesh.size()));
+    triangles->GetCellData()->SetScalars(rgb);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(triangles);
+    facets->SetMapper(mapper);
+    facets->GetProperty()->SetInterpolationToFlat();
+    // Facets turned away from the viewer are a little darker, so that the shape can be read.
+    facets->GetProperty()->SetAmbient(0.75);
+    facets->GetProperty()->SetDiffuse(0.25);
+    set_lines(creases, triangles, ink, 1.0);
+    creases->PickableOff();
+    part->PickableOff();
+    part->VisibilityOff();
+    renderer->SetBackground(1.0, 1.0, 1.0);
+    renderer->AddActor(facets);
+    renderer->AddActor(creases);
+    renderer->AddActor(part);
+    sensor.add_to(renderer);
+    transmitter.add_to(renderer);
+    renderer->GetActiveCamera()->ParallelProjectionOn();
+    set_axes();
+    follow->SetClientData(this);
+    follow->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<Hidden*>(self)->turn_axes(); });
+    renderer->AddObserver(vtkCommand::StartEvent, follow);
+  }
+
+  void set_axes() {
+    const std::array<const char*, 3> names{"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, 0.28, names[k]);
+      arrows[k].add_to(axes);
+    }
+    axes->SetLayer(2);
+    axes->InteractiveOff();
+    axes->GetActiveCamera()->ParallelProjectionOn();
+  }
+
+  // The axes are seen from where the target is.
+  void turn_axes() {
+    vtkCamera* from = renderer->GetActiveCamera();
+    vtkCamera* camera = axes->GetActiveCamera();
+    std::array<double, 3> direction{}, up{};
+    from->GetDirectionOfProjection(direction.data());
+    from->GetViewUp(up.data());
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(-10.0 * direction[0], -10.0 * direction[1], -10.0 * direction[2]);
+    camera->SetViewUp(up.data());
+    camera->SetParallelScale(1.6);
+    camera->SetClippingRange(5.0, 15.0);
+  }
+
+  // How far the target reaches from its middle.
+  [[nodiscard]] double reach(const Vec3& direction) const {
+    double most = 0.0;
+    for (const auto& facet : mesh.facets)
+      for (const std::uint32_t v : facet) most = std::max(most, direction.dot(mesh.positions[v] - centre));
+    return most;
+  }
+
+  const FacetMesh& mesh;
+  Vec3 centre;
+  double radius;
+  vtkSmartPointer<vtkPolyData> triangles;
+  vtkNew<vtkUnsignedCharArray> rgb;
+  vtkNew<vtkActor> facets, creases, part;
+  Arrow sensor{ink}, transmitter{curve_colour(1)};
+  std::array<Arrow, 3> arrows{Arrow(curve_colour(1)), Arrow(curve_colour(2)), Arrow(curve_colour(0))};
+  vtkNew<vtkRenderer> renderer, axes;
+  vtkNew<vtkCallbackCommand> follow;
+};
+
+TargetScene::TargetScene(const FacetMesh& mesh) : hidden_(std::make_unique<Hidden>(mesh)) {}
+TargetScene::~TargetScene() = default;
+
+void TargetScene::colour(const std::vector<Colour>& colours) {
+  for (std::size_t k = 0; k < colours.size(); ++k) {
+    const Rgb rgb = rgb_of(colours[k]);
+    hidden_->rgb->SetTypedTuple(static_cast<vtkIdType>(k), rgb.data());
+  }
+  hidden_->rgb->Modified();
+}
+
+void TargetScene::point_at(const Vec3& to_transmitter, const Vec3& to_receiver) {
+  constexpr double same = 1e-6;  // [rad]
+  const bool is_monostatic = (to_transmitter - to_receiver).norm() < same;
+  const double r = hidden_->radius;
+  const auto set = [&](Arrow& arrow, const Vec3& direction, const char* name) {
+    arrow.set(hidden_->centre + (hidden_->reach(direction) + 0.06 * r) * direction, direction, 0.3 * r, 0.1 * r, name);
+  };
+  set(hidden_->sensor, to_receiver, is_monostatic ? "sensor" : "receiver");
+  set(hidden_->transmitter, to_transmitter, "transmitter");
+  hidden_->transmitter.show(!is_monostatic);
+}
+
+void TargetScene::show_receiver(bool is_shown) {
+  hidden_->sensor.show(is_shown);
+}
+
+void TargetScene::outline_part(std::optional<std::uint32_t> part) {
+  hidden_->part->SetVisibility(part.has_value());
+  if (part) set_lines(hidden_->part, triangles_of(hidden_->mesh, part), {0.84, 0.1, 0.1}, 3.0);
+}
+
+void TargetScene::look_from(const Vec3& toward_viewer) {
+  const Vec3 d = toward_viewer.normalized();
+  const Vec3 up = std::abs(d.z()) < 0.999 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+  const Vec3 position = hidden_->centre + 10.0 * hidden_->radius * d;
+  vtkCamera* camera = hidden_->renderer->GetActiveCamera();
+  camera->SetFocalPoint(hidden_->centre.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  camera->OrthogonalizeViewUp();
+  const Vec3 right = up.cross(d).normalized(), above = d.cross(right);
+  constexpr double with_arrows = 1.3;
+  const double across = std::max(hidden_->reach(right), hidden_->reach(-right));
+  const double upward = std::max(hidden_->reach(above), hidden_->reach(-above));
+  camera->SetParallelScale(with_arrows * std::max({across, upward, 0.2 * hidden_->radius}));
+  camera->SetClippingRange(hidden_->radius, 20.0 * hidden_->radius);
+}
+
+void TargetScene::look_beside(const Vec3& direction) {
+  constexpr double raise = 25.0 * degree, aside = 30.0 * degree;
+  look_from(oblique(direction, Vec3::UnitZ(), raise, aside));
+}
+
+std::optional<std::uint32_t> TargetScene::facet_at(double x, double y) const {
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.0);
+  picker->PickFromListOn();
+  picker->AddPickList(hidden_->facets);
+  if (picker->Pick(x, y, 0.0, hidden_->renderer) == 0 || picker->GetCellId() < 0) return std::nullopt;
+  return static_cast<std::uint32_t>(picker->GetCellId());
+}
+
+void TargetScene::set_letters(int letters) {
+  for (const Arrow* arrow :
+       {&hidden_->sensor, &hidden_->transmitter, &hidden_->arrows[0], &hidden_->arrows[1], &hidden_->arrows[2]})
+    arrow->name->GetTextProperty()->SetFontSize(letters);
+}
+
+vtkRenderer* TargetScene::renderer() const {
+  return hidden_->renderer;
+}
+
+vtkRenderer* TargetScene::axes() const {
+  return hidden_->axes;
+}
+
+Picture TargetScene::picture(int width, int height, int letters) {
+  const int fine = offscreen_fineness(width, height);
+  set_letters(fine * letters);
+  hidden_->creases->GetProperty()->SetLineWidth(static_cast<float>(1.6 * fine));
+  hidden_->part->GetProperty()->SetLineWidth(static_cast<float>(3.0 * fine));
+  hidden_->axes->SetViewport(0.0, 0.0, 0.2, 0.2 * width / height);
+  hidden_->axes->SetLayer(1);
+  return shrunk(drawn_offscreen({hidden_->renderer, hidden_->axes}, fine * width, fine * height), fine);
+}
+
+}  // namespace lrcs
