@@ -1,0 +1,106 @@
+// The report. For tests and scripts, window.lrcs has:
+//   ready          promise, kept after the first picture of the target: {firstPictureMs} since navigation began
+//   row(), setRow(k)   the present row of the sweep
+//   pick(x, y)     marks the facet at a place of the target's view (CSS pixels from its top left); returns
+//                  {facet, part, name, sigma_m2} or null
+//   state          {row, cut, colouredRow, colouring, floorDb, part, facet, webgl, markers}, as shown now; markers: places
+//                  [x, y] of the markers in their plots
+import { Aspect } from './aspect.js';
+import { AspectBar } from './aspect-bar.js';
+import { DecibelRange } from './decibel-range.js';
+import { byId } from './dom.js';
+import { partsCsv, saveText } from './download.js';
+import { FacetCard } from './facet-card.js';
+import { drawRunFacts, drawTargetFacts, drawWarnings, runLine } from './facts.js';
+import { HeatMap, rowTable } from './heat-map.js';
+import { drawMaterials } from './material-cards.js';
+import { PartRanking } from './part-ranking.js';
+import { PartTable } from './part-table.js';
+import { readFacets, readPayload } from './payload.js';
+import { PolarPlot } from './polar-plot.js';
+import { Selection } from './selection.js';
+import { SweepPlot } from './sweep-plot.js';
+import { TargetPanel } from './target-panel.js';
+
+function main() {
+  const data = readPayload();
+  document.title = data.title;
+  byId('title').textContent = data.title;
+  byId('run-line').textContent = runLine(data);
+  drawWarnings(byId('warnings'), data.run.warnings);
+
+  const aspect = new Aspect(data);
+  const ranking = new PartRanking(data);
+  const decibels = new DecibelRange(data.rows.sigma_m2);
+  const selection = new Selection([]);
+  const bar = {
+    slider: byId('slider'), cutSelect: byId('cut'), cutLabel: byId('cut-label'), play: byId('play'),
+    result: byId('result'), directions: byId('directions'), ends: [byId('first-angle'), byId('last-angle')],
+  };
+  new AspectBar(bar, data, aspect);
+  const plots = drawPlots(data, aspect, ranking, decibels);
+  new PartTable(byId('parts'), byId('all-parts'), data, aspect, selection, ranking);
+  drawMaterials(byId('materials'), data);
+  drawTargetFacts(byId('target-facts'), data);
+  drawRunFacts(byId('run-facts'), data);
+  byId('save-sweep').addEventListener('click', () => saveText('sweep.csv', data.csv));
+  byId('save-parts').addEventListener('click', () => saveText('parts.csv', partsCsv(data)));
+  window.addEventListener('keydown', (event) => event.key === 'Escape' && selection.clear());
+
+  // What is above is on the screen before the facets, which take longest, are read.
+  const ready = new Promise((resolve) => {
+    requestAnimationFrame(() => setTimeout(() => {
+      const panel = drawTarget(data, aspect, ranking, selection);
+      window.lrcs.pick = (x, y) => panel.pick(x, y);
+      window.lrcs.panel = panel;
+      requestAnimationFrame(() => setTimeout(() => {
+        resolve({ firstPictureMs: performance.now() });
+        setTimeout(() => panel.addCreases(), 0);
+      }));
+    }));
+  });
+  window.lrcs = {
+    ready,
+    row: () => aspect.row,
+    setRow: (row) => aspect.setRow(row),
+    pick: () => null,
+    get state() {
+      return {
+        row: aspect.row, cut: aspect.cutIndex, part: selection.part, facet: selection.facet, ...this.panel?.state,
+        markers: Object.fromEntries(Object.entries(plots).map(([name, plot]) => [name, plot.markerAt])),
+      };
+    },
+  };
+}
+
+function drawPlots(data, aspect, ranking, decibels) {
+  const plots = {};
+  plots.sweep = new SweepPlot(byId('sweep-plot'), byId('sweep-legend'), byId('sweep-note'), data, aspect, ranking, decibels);
+  byId('stacked').addEventListener('change', (event) => plots.sweep.setStacked(event.target.checked));
+  byId('polar-panel').hidden = data.axis === 'row';
+  if (data.axis !== 'row') plots.polar = new PolarPlot(byId('polar-plot'), byId('polar-note'), data, aspect, decibels);
+  const table = rowTable(data);
+  byId('heat-panel').hidden = table === null;
+  if (table) plots.heat = new HeatMap(byId('heat-map'), byId('heat-bar'), byId('heat-note'), data, table, aspect, decibels);
+  return plots;
+}
+
+function drawTarget(data, aspect, ranking, selection) {
+  const panel = new TargetPanel(data, aspect, ranking, selection, {
+    frame: byId('view'), canvas: byId('target'), overlay: byId('overlay'), message: byId('no-view'),
+    colouring: byId('colouring'), floor: byId('floor'), floorLabel: byId('floor-label'),
+    key: byId('colour-key'), note: byId('view-note'),
+    buttons: byId('view-buttons'), controls: byId('view-controls'),
+  });
+  panel.start(() => readFacets(data.shown));
+  new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);
+  return panel;
+}
+
+try {
+  main();
+} catch (error) {
+  const message = byId('warnings');
+  message.hidden = false;
+  message.textContent = `The report cannot be shown: ${error.message}`;
+}

@@ -1,0 +1,70 @@
+// The parts at the present aspect, strongest first, and their sum, which is the total.
+import { el } from './dom.js';
+import { partsAt } from './part-ranking.js';
+import { dbText, dbsm, shareText, sigmaText } from './sigma.js';
+
+const shortest = 10;
+
+export class PartTable {
+  constructor(table, toggle, data, aspect, selection, ranking) {
+    Object.assign(this, { table, toggle, data, aspect, selection, ranking });
+    this.all = false;
+    toggle.hidden = data.parts.length <= shortest;
+    toggle.addEventListener('click', () => {
+      this.all = !this.all;
+      this.draw();
+    });
+    table.tBodies[0].addEventListener('click', (event) => {
+      const row = event.target.closest('tr[data-part]');
+      if (row) selection.togglePart(Number(row.dataset.part));
+    });
+    aspect.follow(() => this.draw());
+    selection.follow(() => this.markSelected());
+    this.draw();
+  }
+
+  draw() {
+    const { row } = this.aspect;
+    const sigma = this.data.part_sigma_m2[row];
+    const total = this.data.rows.sigma_m2[row];
+    const order = partsAt(this.data, row);
+    const listed = this.all ? order : order.slice(0, shortest);
+    const focused = this.table.contains(document.activeElement) ? document.activeElement.closest('tr')?.dataset.part : null;
+    const rows = listed.map((part) => this.line(part, sigma[part], total));
+    const rest = order.slice(listed.length);
+    if (rest.length > 0) {
+      const sum = rest.reduce((a, part) => a + sigma[part], 0);
+      rows.push(el('tr', { class: 'rest' }, el('th', { scope: 'row' }, `other parts (${rest.length})`), ...this.numbers(sum, total)));
+    }
+    this.table.tBodies[0].replaceChildren(...rows);
+    const sum = el('tr', {}, el('th', { scope: 'row' }, 'sum of all parts = total'), ...this.numbers(total, total));
+    this.table.tFoot.replaceChildren(sum);
+    this.toggle.textContent = this.all ? `Show the ${shortest} strongest` : `Show all ${this.data.parts.length} parts`;
+    this.toggle.setAttribute('aria-expanded', String(this.all));
+    this.markSelected();
+    if (focused) this.table.querySelector(`tr[data-part="${focused}"] button`)?.focus({ preventScroll: true });
+  }
+
+  line(part, sigma, total) {
+    const { name } = this.data.parts[part];
+    const swatch = el('span', { class: 'swatch', style: `background:${this.ranking.colours[part]}` });
+    const button = el('button', { type: 'button', class: 'part-name', title: 'Mark this part on the target' }, name === '' ? '(no name)' : name);
+    return el('tr', { 'data-part': part }, el('th', { scope: 'row' }, el('span', { class: 'part-cell' }, swatch, button)), ...this.numbers(sigma, total));
+  }
+
+  numbers(sigma, total) {
+    return [
+      el('td', { title: `${sigma} m²` }, sigmaText(sigma)),
+      el('td', {}, dbText(dbsm(sigma))),
+      el('td', {}, shareText(sigma, total)),
+    ];
+  }
+
+  markSelected() {
+    for (const row of this.table.tBodies[0].rows) {
+      const selected = Number(row.dataset.part) === this.selection.part;
+      row.classList.toggle('selected', selected);
+      row.querySelector('button')?.setAttribute('aria-pressed', String(selected));
+    }
+  }
+}

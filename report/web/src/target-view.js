@@ -1,0 +1,168 @@
+// The target in 3-D, seen in parallel projection as a far sensor sees it.
+import {
+  BufferAttribute, BufferGeometry, ColorManagement, LinearSRGBColorSpace, LineBasicMaterial, LineSegments,
+  OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { direction } from './aspect.js';
+import { creaseLines } from './creases.js';
+import { onResize } from './dom.js';
+import { FacetMesh } from './facet-mesh.js';
+import { drawOverlay } from './view-overlay.js';
+
+// Colours are painted as given: they must match the colour bar.
+ColorManagement.enabled = false;
+
+const margin = 1.25;
+const startAzimuth = 35;
+const startElevation = 25;
+
+export function makeContext(canvas) {
+  const wanted = { antialias: true, preserveDrawingBuffer: true, powerPreference: 'default' };
+  return canvas.getContext('webgl2', wanted);
+}
+
+export class TargetView {
+  constructor(canvas, overlay, context, facets) {
+    this.canvas = canvas;
+    this.overlay = overlay;
+    this.facets = facets;
+    this.sensors = [];
+    this.renderer = new WebGLRenderer({ canvas, context });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.setClearColor(0xffffff, 1);
+    this.scene = new Scene();
+    this.mesh = new FacetMesh(facets);
+    this.scene.add(this.mesh.facets, this.mesh.through);
+    const box = this.mesh.geometry.boundingBox;
+    this.centre = box.getCenter(new Vector3());
+    this.radius = 0.5 * box.getSize(new Vector3()).length() || 1;
+    this.camera = new OrthographicCamera();
+    this.camera.up.set(0, 0, 1);
+    this.camera.near = 0;
+    this.camera.far = 20 * this.radius;
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.minZoom = 0.2;
+    this.controls.maxZoom = 200;
+    this.controls.addEventListener('change', () => this.redrawSoon());
+    this.reset();
+    this.resize();
+    onResize(canvas.parentElement, () => this.resize());
+    window.addEventListener('beforeprint', () => this.draw());
+    canvas.addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  // After the first picture, which need not wait for them.
+  addCreases() {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(creaseLines(this.facets), 3));
+    this.scene.add(new LineSegments(geometry, new LineBasicMaterial({ color: 0x000000, opacity: 0.6, transparent: true })));
+    this.redrawSoon();
+  }
+
+  paint(colours) {
+    this.mesh.paint(colours);
+    this.redrawSoon();
+  }
+
+  select(part) {
+    this.mesh.select(part);
+    this.redrawSoon();
+  }
+
+  // [{direction: [x, y, z], label}], drawn as arrows.
+  setSensors(sensors) {
+    this.sensors = sensors;
+    this.redrawSoon();
+  }
+
+  reset() {
+    this.camera.zoom = 1;
+    this.controls.target.copy(this.centre);
+    this.lookFrom(startAzimuth, startElevation);
+  }
+
+  lookFrom(azimuthDeg, elevationDeg) {
+    // From straight above, the azimuth says which way is up.
+    const elevation = Math.min(Math.max(elevationDeg, -89.99), 89.99);
+    const away = new Vector3(...direction(azimuthDeg, elevation)).multiplyScalar(10 * this.radius);
+    this.camera.position.copy(this.controls.target).add(away);
+    this.controls.update();
+    this.redrawSoon();
+  }
+
+  onKey(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (turn && event.shiftKey) this.pan(turn);
+    else if (turn) this.turn(turn);
+    else if (event.key === '+' || event.key === '=') this.zoom(1.25);
+    else if (event.key === '-') this.zoom(0.8);
+    else if (event.key === '0') this.reset();
+    else return;
+    event.preventDefault();
+  }
+
+  turn([right, up]) {
+    const away = this.camera.position.clone().sub(this.controls.target).normalize();
+    const azimuth = (Math.atan2(away.y, away.x) * 180) / Math.PI;
+    this.lookFrom(azimuth + 5 * right, (Math.asin(away.z) * 180) / Math.PI + 5 * up);
+  }
+
+  pan([right, up]) {
+    const step = (0.1 * this.radius) / this.camera.zoom;
+    const move = new Vector3(-right * step, -up * step, 0).applyQuaternion(this.camera.quaternion);
+    this.camera.position.add(move);
+    this.controls.target.add(move);
+    this.redrawSoon();
+  }
+
+  zoom(factor) {
+    this.camera.zoom = Math.min(Math.max(this.camera.zoom * factor, this.controls.minZoom), this.controls.maxZoom);
+    this.redrawSoon();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (width === 0 || height === 0) return;
+    this.width = width;
+    this.height = height;
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    this.mesh.uniforms.pixel.value = ratio;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    const half = margin * this.radius;
+    const across = half * Math.max(width / height, 1);
+    const up = half * Math.max(height / width, 1);
+    Object.assign(this.camera, { left: -across, right: across, top: up, bottom: -up });
+    this.draw();
+  }
+
+  redrawSoon() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => this.draw());
+  }
+
+  draw() {
+    this.waiting = false;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    this.renderer.render(this.scene, this.camera);
+    drawOverlay(this);
+  }
+
+  // Pixels of the page from the top left of the view, for a point of the body.
+  project(point) {
+    const place = point.clone().project(this.camera);
+    return [0.5 * (1 + place.x) * this.width, 0.5 * (1 - place.y) * this.height];
+  }
+
+  // The facet at a place (CSS pixels from the top left of the view); -1 where there is none.
+  facetAt(x, y) {
+    const ray = new Raycaster();
+    this.camera.updateMatrixWorld();
+    ray.setFromCamera(new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.camera);
+    return ray.intersectObject(this.mesh.facets)[0]?.faceIndex ?? -1;
+  }
+}

@@ -1,0 +1,85 @@
+// Over the target: arrows toward transmitter and receiver, and the axes of the body.
+import { Vector3 } from 'three';
+import { axisColours, ink } from './colour.js';
+import { rootFontPx, svg } from './dom.js';
+
+export function drawOverlay(view) {
+  const unit = rootFontPx();
+  view.overlay.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
+  view.overlay.replaceChildren(
+    ...view.sensors.map((sensor) => sensorArrow(view, sensor, unit)),
+    axesTriad(view, unit),
+  );
+}
+
+function inView(view, vector) {
+  return new Vector3(...vector).transformDirection(view.camera.matrixWorldInverse);
+}
+
+function sensorArrow(view, { direction, label }, unit) {
+  const at = (radii) =>
+    view.project(new Vector3(...direction).multiplyScalar(radii * view.radius).add(view.centre));
+  const toward = inView(view, direction);
+  // Along the line of sight an arrow is a point: the usual signs for out of and into the page.
+  if (Math.hypot(toward.x, toward.y) < 0.1) return endOnArrow(at(0), toward.z > 0, label, unit);
+  const [from, to] = [at(0.7), at(1.02)];
+  const group = svg('g', {});
+  const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
+  for (const casing of [true, false]) {
+    const stroke = { stroke: casing ? '#fff' : ink, 'stroke-width': casing ? 6 : 2.2, fill: 'none' };
+    group.append(svg('path', { d: shaft(from, to), ...stroke, 'stroke-dasharray': casing ? null : dashes }));
+    group.append(svg('path', { d: head(from, to, 0.8 * unit), ...stroke, 'stroke-linejoin': 'round' }));
+  }
+  const along = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+  const [right, down] = [(to[0] - from[0]) / along, (to[1] - from[1]) / along];
+  const anchor = right > 0.5 ? 'start' : right < -0.5 ? 'end' : 'middle';
+  const wide = 0.55 * unit * label.length;
+  const low = { start: 4, middle: 4 + wide / 2, end: 4 + wide }[anchor];
+  const x = Math.min(Math.max(to[0] + 0.5 * unit * right, low), view.width - 4 - wide + (low - 4));
+  const y = Math.min(Math.max(to[1] + 0.35 * unit + unit * down, unit), view.height - 0.4 * unit);
+  group.append(text(x, y, label, ink, anchor));
+  return group;
+}
+
+function endOnArrow([x, y], towardViewer, label, unit) {
+  const radius = 0.55 * unit;
+  const circle = { cx: x, cy: y, r: radius, fill: '#fff', stroke: ink, 'stroke-width': 2 };
+  const d = 0.7 * radius;
+  const sign = towardViewer
+    ? svg('circle', { cx: x, cy: y, r: 0.25 * radius, fill: ink })
+    : svg('path', { d: `M${x - d},${y - d}L${x + d},${y + d}M${x - d},${y + d}L${x + d},${y - d}`, stroke: ink, 'stroke-width': 2 });
+  return svg('g', {}, svg('circle', circle), sign, text(x + 1.6 * radius, y + 0.35 * unit, label, ink, 'start'));
+}
+
+function axesTriad(view, unit) {
+  const origin = [3.4 * unit, view.height - 3.2 * unit];
+  const axes = [['x', [1, 0, 0], 'x forward'], ['y', [0, 1, 0], 'y'], ['z', [0, 0, 1], 'z']];
+  const drawn = axes.map(([name, axis, label]) => ({ name, label, seen: inView(view, axis) }));
+  drawn.sort((a, b) => a.seen.z - b.seen.z);
+  const group = svg('g', {});
+  for (const { name, label, seen } of drawn) {
+    const length = 2 * unit;
+    const to = [origin[0] + length * seen.x, origin[1] - length * seen.y];
+    const stroke = { stroke: axisColours[name], 'stroke-width': 2, fill: 'none', 'stroke-linejoin': 'round' };
+    group.append(svg('path', { d: shaft(origin, to), ...stroke }));
+    if (Math.hypot(seen.x, seen.y) > 0.2) group.append(svg('path', { d: head(origin, to, 0.5 * unit), ...stroke }));
+    const anchor = seen.x < -0.3 ? 'end' : seen.x > 0.3 ? 'start' : 'middle';
+    const x = Math.max(to[0] + 0.35 * unit * seen.x, anchor === 'end' ? 0.6 * unit * label.length : 0);
+    group.append(text(x, to[1] + 0.3 * unit - 0.8 * unit * seen.y, label, axisColours[name], anchor));
+  }
+  return group;
+}
+
+const shaft = ([x0, y0], [x1, y1]) => `M${x0},${y0}L${x1},${y1}`;
+
+function head([x0, y0], [x1, y1], size) {
+  const angle = Math.atan2(y1 - y0, x1 - x0);
+  const barb = (turn) => `${x1 - size * Math.cos(angle + turn)},${y1 - size * Math.sin(angle + turn)}`;
+  return `M${barb(0.45)}L${x1},${y1}L${barb(-0.45)}`;
+}
+
+function text(x, y, label, colour, anchor) {
+  const node = svg('text', { x, y, fill: colour, 'text-anchor': anchor, class: 'label' });
+  node.textContent = label;
+  return node;
+}
