@@ -28,7 +28,7 @@ uniform float pixel;
 out vec4 colourOut;
 void main() {
   vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-  vec3 rgb = vColour.rgb * mix(1.0, 0.7 + 0.3 * abs(normal.z), vColour.a);
+  vec3 rgb = vColour.rgb * mix(1.0, 0.8 + 0.2 * abs(normal.z), vColour.a);
   float along = mod(gl_FragCoord.x + gl_FragCoord.y, 8.0 * pixel);
   if (vSelected > 0.5 && along < 2.0 * pixel) rgb = mark;
   colourOut = vec4(rgb, 1.0);
@@ -48,7 +48,26 @@ void main() {
 }`;
 
 export class FacetMesh {
-  constructor(facets) {
+  // Without facets as yet, so that the shaders can be compiled while the facets are read.
+  constructor() {
+    this.geometry = new BufferGeometry();
+    this.uniforms = { selected: { value: -1 }, mark: { value: new Color(highlight) }, pixel: { value: 1 } };
+    const material = (fragmentShader, onlySelected, more) =>
+      new ShaderMaterial({
+        glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide,
+        uniforms: { ...this.uniforms, onlySelected: { value: onlySelected } }, ...more,
+      });
+    // Pushed back so that creases, which lie in the facets' planes, are not cut by them.
+    this.facets = new Mesh(this.geometry, material(facetShader, false, {
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
+    }));
+    this.through = new Mesh(this.geometry, material(throughShader, true, {
+      side: FrontSide, depthFunc: GreaterDepth, depthWrite: false, transparent: true,
+    }));
+    this.through.visible = false;
+  }
+
+  setFacets(facets) {
     const corners = 3 * facets.count;
     const position = new Float32Array(3 * corners);
     const part = new Float32Array(corners);
@@ -61,27 +80,11 @@ export class FacetMesh {
     for (let f = 0; f < facets.count; ++f) part.fill(facets.part[f], 3 * f, 3 * f + 3);
     this.packed = new Uint32Array(corners);
     this.colour = new BufferAttribute(new Uint8Array(this.packed.buffer), 4, true);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(position, 3));
-    geometry.setAttribute('part', new BufferAttribute(part, 1));
-    geometry.setAttribute('colour', this.colour);
-    geometry.computeBoundingBox();
-    geometry.computeBoundingSphere();
-    this.uniforms = { selected: { value: -1 }, mark: { value: new Color(highlight) }, pixel: { value: 1 } };
-    const material = (fragmentShader, onlySelected, more) =>
-      new ShaderMaterial({
-        glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide,
-        uniforms: { ...this.uniforms, onlySelected: { value: onlySelected } }, ...more,
-      });
-    // Pushed back so that creases, which lie in the facets' planes, are not cut by them.
-    this.facets = new Mesh(geometry, material(facetShader, false, {
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
-    }));
-    this.through = new Mesh(geometry, material(throughShader, true, {
-      side: FrontSide, depthFunc: GreaterDepth, depthWrite: false, transparent: true,
-    }));
-    this.through.visible = false;
-    this.geometry = geometry;
+    this.geometry.setAttribute('position', new BufferAttribute(position, 3));
+    this.geometry.setAttribute('part', new BufferAttribute(part, 1));
+    this.geometry.setAttribute('colour', this.colour);
+    this.geometry.computeBoundingBox();
+    this.geometry.computeBoundingSphere();
   }
 
   paint(colours) {

@@ -48,11 +48,10 @@ function main() {
   window.addEventListener('keydown', (event) => event.key === 'Escape' && selection.clear());
 
   // What is above is on the screen before the facets, which take longest, are read.
+  let panel = null;
   const ready = new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(() => {
-      const panel = drawTarget(data, aspect, ranking, selection);
-      window.lrcs.pick = (x, y) => panel.pick(x, y);
-      window.lrcs.panel = panel;
+      panel = drawTarget(data, aspect, ranking, selection);
       requestAnimationFrame(() => setTimeout(() => {
         resolve({ firstPictureMs: performance.now() });
         setTimeout(() => panel.addCreases(), 0);
@@ -63,10 +62,10 @@ function main() {
     ready,
     row: () => aspect.row,
     setRow: (row) => aspect.setRow(row),
-    pick: () => null,
+    pick: (x, y) => panel?.pick(x, y) ?? null,
     get state() {
       return {
-        row: aspect.row, cut: aspect.cutIndex, part: selection.part, facet: selection.facet, ...this.panel?.state,
+        row: aspect.row, cut: aspect.cutIndex, part: selection.part, facet: selection.facet, ...panel?.state,
         markers: Object.fromEntries(Object.entries(plots).map(([name, plot]) => [name, plot.markerAt])),
       };
     },

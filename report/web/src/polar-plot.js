@@ -17,7 +17,8 @@ export class PolarPlot {
     onResize(host, () => this.draw());
     aspect.follow((cutChanged) => (cutChanged ? this.draw() : this.mark()));
     const from = data.axis === 'azimuth' ? 'azimuth, seen from above, nose up' : 'elevation, seen from the right side, nose to the right';
-    note.textContent = `${from}; rings: LRCS [dBsm], centre ${dbText(decibels.min, decibels.interval % 1 ? 1 : 0)} dBsm.`;
+    const [low, high] = [decibels.min, decibels.max].map((value) => dbText(value, decibels.interval % 1 ? 1 : 0));
+    note.textContent = `${from}; rings: LRCS [dBsm], from ${low} in the centre to ${high} outside.`;
     note.textContent = note.textContent[0].toUpperCase() + note.textContent.slice(1);
     this.draw();
   }

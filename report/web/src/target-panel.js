@@ -30,6 +30,7 @@ export class TargetPanel {
   start(readFacets) {
     const context = makeContext(this.parts.canvas);
     if (!context) return this.refuse('This browser shows no WebGL 2, so the target cannot be drawn. All numbers and plots are here.');
+    const view = new TargetView(this.parts.canvas, this.parts.overlay, context);
     try {
       this.facets = readFacets();
     } catch (error) {
@@ -37,7 +38,8 @@ export class TargetPanel {
     }
     this.selection.partOfFacet = this.facets.part;
     this.colours = new Uint32Array(this.facets.count);
-    this.view = new TargetView(this.parts.canvas, this.parts.overlay, context, this.facets);
+    this.view = view;
+    view.setFacets(this.facets);
     this.addButtons();
     this.followPointer();
     for (const choice of [this.parts.colouring, this.parts.floor]) choice.addEventListener('change', () => this.paint());

@@ -14,6 +14,7 @@ import { drawOverlay } from './view-overlay.js';
 ColorManagement.enabled = false;
 
 const margin = 1.25;
+const filled = 0.74;
 const startAzimuth = 35;
 const startElevation = 25;
 
@@ -23,33 +24,39 @@ export function makeContext(canvas) {
 }
 
 export class TargetView {
-  constructor(canvas, overlay, context, facets) {
+  constructor(canvas, overlay, context) {
     this.canvas = canvas;
     this.overlay = overlay;
-    this.facets = facets;
     this.sensors = [];
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.setClearColor(0xffffff, 1);
     this.scene = new Scene();
-    this.mesh = new FacetMesh(facets);
-    this.scene.add(this.mesh.facets, this.mesh.through);
-    const box = this.mesh.geometry.boundingBox;
-    this.centre = box.getCenter(new Vector3());
-    this.radius = 0.5 * box.getSize(new Vector3()).length() || 1;
+    this.mesh = new FacetMesh();
     this.camera = new OrthographicCamera();
     this.camera.up.set(0, 0, 1);
+    this.renderer.compile(this.mesh.facets, this.camera, this.scene);
+  }
+
+  setFacets(facets) {
+    this.facets = facets;
+    this.mesh.setFacets(facets);
+    this.scene.add(this.mesh.facets, this.mesh.through);
+    this.box = this.mesh.geometry.boundingBox;
+    this.centre = this.box.getCenter(new Vector3());
+    this.radius = 0.5 * this.box.getSize(new Vector3()).length() || 1;
     this.camera.near = 0;
     this.camera.far = 20 * this.radius;
-    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.minZoom = 0.2;
     this.controls.maxZoom = 200;
     this.controls.addEventListener('change', () => this.redrawSoon());
-    this.reset();
     this.resize();
-    onResize(canvas.parentElement, () => this.resize());
+    this.reset();
+    onResize(this.canvas.parentElement, () => this.resize());
     window.addEventListener('beforeprint', () => this.draw());
-    canvas.addEventListener('keydown', (event) => this.onKey(event));
+    this.canvas.addEventListener('keydown', (event) => this.onKey(event));
   }
 
   // After the first picture, which need not wait for them.
@@ -80,6 +87,26 @@ export class TargetView {
     this.camera.zoom = 1;
     this.controls.target.copy(this.centre);
     this.lookFrom(startAzimuth, startElevation);
+    this.fit();
+  }
+
+  corners() {
+    const { min, max } = this.box;
+    return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+  }
+
+  // The target as large as leaves room for arrows and axes.
+  fit() {
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    const places = this.corners().map((corner) => corner.project(this.camera));
+    const widest = Math.max(...places.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]));
+    this.camera.zoom = Math.min(filled / (widest || 1), this.controls.maxZoom);
+  }
+
+  // How far the target reaches from its centre in a direction, by its box.
+  reach(toward) {
+    return Math.max(...this.corners().map((corner) => corner.sub(this.centre).dot(toward)));
   }
 
   lookFrom(azimuthDeg, elevationDeg) {

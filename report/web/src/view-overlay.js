@@ -17,12 +17,12 @@ function inView(view, vector) {
 }
 
 function sensorArrow(view, { direction, label }, unit) {
-  const at = (radii) =>
-    view.project(new Vector3(...direction).multiplyScalar(radii * view.radius).add(view.centre));
+  const reach = view.reach(new Vector3(...direction));
+  const at = (distance) => view.project(new Vector3(...direction).multiplyScalar(distance).add(view.centre));
   const toward = inView(view, direction);
   // Along the line of sight an arrow is a point: the usual signs for out of and into the page.
   if (Math.hypot(toward.x, toward.y) < 0.1) return endOnArrow(at(0), toward.z > 0, label, unit);
-  const [from, to] = [at(0.7), at(1.02)];
+  const [from, to] = [at(reach + 0.02 * view.radius), at(reach + 0.27 * view.radius)];
   const group = svg('g', {});
   const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
   for (const casing of [true, false]) {
@@ -52,7 +52,7 @@ function endOnArrow([x, y], towardViewer, label, unit) {
 }
 
 function axesTriad(view, unit) {
-  const origin = [3.4 * unit, view.height - 3.2 * unit];
+  const origin = [5.6 * unit, view.height - 3.4 * unit];
   const axes = [['x', [1, 0, 0], 'x forward'], ['y', [0, 1, 0], 'y'], ['z', [0, 0, 1], 'z']];
   const drawn = axes.map(([name, axis, label]) => ({ name, label, seen: inView(view, axis) }));
   drawn.sort((a, b) => a.seen.z - b.seen.z);
@@ -63,9 +63,9 @@ function axesTriad(view, unit) {
     const stroke = { stroke: axisColours[name], 'stroke-width': 2, fill: 'none', 'stroke-linejoin': 'round' };
     group.append(svg('path', { d: shaft(origin, to), ...stroke }));
     if (Math.hypot(seen.x, seen.y) > 0.2) group.append(svg('path', { d: head(origin, to, 0.5 * unit), ...stroke }));
-    const anchor = seen.x < -0.3 ? 'end' : seen.x > 0.3 ? 'start' : 'middle';
-    const x = Math.max(to[0] + 0.35 * unit * seen.x, anchor === 'end' ? 0.6 * unit * label.length : 0);
-    group.append(text(x, to[1] + 0.3 * unit - 0.8 * unit * seen.y, label, axisColours[name], anchor));
+    const anchor = seen.x < -0.2 ? 'end' : seen.x > 0.2 ? 'start' : 'middle';
+    const x = to[0] + 0.3 * unit * Math.sign(seen.x) * (anchor === 'middle' ? 0 : 1);
+    group.append(text(x, to[1] + 0.3 * unit - 0.7 * unit * seen.y, label, axisColours[name], anchor));
   }
   return group;
 }

@@ -93,14 +93,21 @@ export function payload({ mesh, parts }, rows, cuts, more = {}) {
     },
     axis: more.axis ?? 'azimuth', cuts, part_sigma_m2,
     csv: 'azimuth_deg,elevation_deg,sigma_m2\n' + rows.map((row, k) => `${row[0]},${row[1]},${sigma_m2[k]}\n`).join(''),
-    shown: { vertices: mesh.positions.length / 3, facets, stored_rows: stored, floor_db: floor, step_db: step, brightest_per_m2: brightest },
+    shown: { vertices: mesh.positions.length / 3, facets, stored_rows: stored, coding: more.coding, floor_db: floor, step_db: step, brightest_per_m2: brightest },
   };
   const binary = Buffer.concat([
     new Float32Array(mesh.positions), new Uint32Array(mesh.triangles), new Uint16Array(mesh.part), new Uint16Array(mesh.material), new Float32Array(areas),
-    ...perArea.map((row) => Uint8Array.from(row, level)),
-    ...perArea.map((row) => Uint8Array.from(row, (value) => (value > 0 ? 255 : 0))),
+    ...coded(perArea.map((row) => Uint8Array.from(row, level)), more.coding),
+    ...coded(perArea.map((row) => Uint8Array.from(row, (value) => (value > 0 ? 255 : 0))), more.coding),
   ].map((array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength)));
   return { data, binary };
+}
+
+function coded(rows, coding) {
+  if (coding !== 'differences') return rows;
+  const bytes = new Uint8Array(rows.length * rows[0].length);
+  for (let f = 0, k = 0; f < rows[0].length; ++f) rows.forEach((row, i) => (bytes[k++] = row[f] - (i > 0 ? rows[i - 1][f] : 0)));
+  return [bytes];
 }
 
 function boxOf(positions) {
@@ -134,10 +141,10 @@ function sweptBoth() {
 
 function large() {
   const body = satellite(24);
-  addSphere(body.mesh, [0, 0, -1.4], 0.8, 154, 14, 2, (polar, azimuth) => 1 + 0.06 * Math.sin(7 * azimuth) * Math.sin(5 * polar));
+  addSphere(body.mesh, [0, 0, -1.4], 0.8, 106, 14, 2, (polar, azimuth) => 1 + 0.06 * Math.sin(7 * azimuth) * Math.sin(5 * polar));
   body.parts.push('tank/shell');
   const azimuths = range(0, 358, 2);
-  return payload(body, around(azimuths), oneCut(azimuths), { stored: azimuths.map((_, k) => k), targetFacets: 1234567 });
+  return payload(body, around(azimuths), oneCut(azimuths), { stored: azimuths.map((_, k) => k), targetFacets: 1234567, coding: 'differences' });
 }
 
 function nasty() {
