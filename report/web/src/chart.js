@@ -11,7 +11,7 @@ echarts.use([CustomChart, GridComponent, LineChart, SVGRenderer, TooltipComponen
 
 export const fontFamily = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
-// draw(chart) sets all options; it is called again when the host changes its size.
+// draw(chart) sets all options; it is called when the host changes its size.
 export function makeChart(host, draw) {
   const chart = echarts.init(host, null, { renderer: 'svg' });
   onResize(host, () => {

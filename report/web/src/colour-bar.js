@@ -2,10 +2,10 @@
 import { otherPartsColour, unseenColour, viridisGradient } from './colour.js';
 import { el } from './dom.js';
 import { materialColour } from './facet-colours.js';
-import { dbText, plain } from './sigma.js';
+import { plain } from './sigma.js';
 
 // atMost: colours at the low end stand for all that is lower, too.
-export function horizontalBar(host, { gradient, min, max, interval, label, atMost, text = (v) => dbText(v, interval % 1 ? 1 : 0) }, ...more) {
+export function horizontalBar(host, { gradient, min, max, interval, label, atMost, text = plain }, ...more) {
   const ticks = [];
   for (let k = 0; min + k * interval <= max + 1e-9; ++k) {
     const value = min + k * interval;
@@ -30,7 +30,7 @@ export function drawColourKey(host, data, ranking, { colouring, floorDb }) {
     const label = `return per area [dB re ${plain(Number(data.shown.brightest_per_m2.toPrecision(4)))} m²/m², brightest of all aspects]`;
     horizontalBar(host, { gradient, min: floorDb, max: 0, interval: floorDb < -40 ? 20 : 10, label, atMost: true }, unseen());
   } else if (colouring === 'seen') {
-    horizontalBar(host, { gradient, min: 0, max: 100, interval: 20, label: 'lit and seen share of the facet [%]', text: plain }, unseen());
+    horizontalBar(host, { gradient, min: 0, max: 100, interval: 20, label: 'lit and seen share of the facet [%]' }, unseen());
   } else if (colouring === 'part') {
     const entries = ranking.strongest.map((part) => swatch(ranking.colours[part], data.parts[part].name));
     if (ranking.others.length > 0) entries.push(swatch(otherPartsColour, `other parts (${ranking.others.length})`));

@@ -21,10 +21,10 @@ export const byId = (id) => document.getElementById(id);
 
 export const rootFontPx = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
-// The page's own reaction to size, for what is drawn in pixels.
+// For what is drawn in pixels: act when the size is another than now.
 export function onResize(element, act) {
-  let width = 0;
-  let height = 0;
+  let width = element.clientWidth;
+  let height = element.clientHeight;
   new ResizeObserver(() => {
     if (element.clientWidth === width && element.clientHeight === height) return;
     width = element.clientWidth;

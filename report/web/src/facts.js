@@ -4,7 +4,7 @@ import { countText, lengthText, plain, wavelengthText } from './sigma.js';
 
 const list = (host, facts) =>
   host.replaceChildren(...facts.filter(([, value]) => value !== null && value !== undefined && value !== '')
-    .flatMap(([label, value]) => [el('dt', {}, label), el('dd', {}, String(value))]));
+    .flatMap(([label, value]) => [el('dt', {}, label), el('dd', { class: /^[0-9a-f]{64}$/.test(value) ? 'digest' : null }, String(value))]));
 
 const seconds = (value) => (value === null || value === undefined ? null : `${plain(Number(value.toPrecision(3)))} s`);
 

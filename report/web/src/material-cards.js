@@ -15,8 +15,10 @@ export function drawMaterials(host, data) {
   }, { rootMargin: '400px' });
   const draw = (plot) => {
     if (!undrawn.has(plot)) return;
-    makeChart(plot, (chart) => drawBrdf(chart, plot, undrawn.get(plot))).resize();
+    const material = undrawn.get(plot);
+    undrawn.delete(plot);
     watcher.unobserve(plot);
+    drawBrdf(makeChart(plot, (chart) => drawBrdf(chart, plot, material)), plot, material);
   };
   data.materials.forEach((material, k) => {
     const plot = el('div', { class: 'chart brdf', role: 'img', 'aria-label': summary(material) });
@@ -80,6 +82,6 @@ function drawable(value, decades) {
 function powerText(value) {
   const exponent = Math.round(Math.log10(value));
   const digits = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
-  if (Math.abs(exponent) < 3) return String(Number(value.toPrecision(3)));
+  if (Math.abs(exponent) <= 3) return String(Number(value.toPrecision(3)));
   return `10${exponent < 0 ? '\u207b' : ''}${[...String(Math.abs(exponent))].map((digit) => digits[digit]).join('')}`;
 }

@@ -36,11 +36,18 @@ export function readFacets(shown) {
     material: take(Uint16Array, shown.facets),
     area: take(Float32Array, shown.facets),
   };
-  const takeRows = () => rowsOf(take(Uint8Array, stored * shown.facets), shown);
-  const levels = takeRows();
-  const seen = takeRows();
-  const rowOf = (bytesOfRows, k) => bytesOfRows.subarray(k * shown.facets, (k + 1) * shown.facets);
-  return { ...facets, level: (k) => rowOf(levels, k), seen: (k) => rowOf(seen, k) };
+  const levels = take(Uint8Array, stored * shown.facets);
+  const seen = take(Uint8Array, stored * shown.facets);
+  return { ...facets, level: rowReader(levels, shown), seen: rowReader(seen, shown) };
+}
+
+// Decoded when first asked for.
+function rowReader(bytes, shown) {
+  let rows = null;
+  return (k) => {
+    rows ??= rowsOf(bytes, shown);
+    return rows.subarray(k * shown.facets, (k + 1) * shown.facets);
+  };
 }
 
 // Differences from row to row, facet by facet, take less than half the space; rows are what is painted.

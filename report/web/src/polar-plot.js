@@ -3,7 +3,7 @@
 import { placeText } from './aspect.js';
 import { curveColour, ink } from './colour.js';
 import { onResize, rootFontPx, svg } from './dom.js';
-import { angleText, dbText, dbsm } from './sigma.js';
+import { angleText, dbText, dbsm, plain } from './sigma.js';
 
 export class PolarPlot {
   constructor(host, note, data, aspect, decibels) {
@@ -17,7 +17,7 @@ export class PolarPlot {
     onResize(host, () => this.draw());
     aspect.follow((cutChanged) => (cutChanged ? this.draw() : this.mark()));
     const from = data.axis === 'azimuth' ? 'azimuth, seen from above, nose up' : 'elevation, seen from the right side, nose to the right';
-    const [low, high] = [decibels.min, decibels.max].map((value) => dbText(value, decibels.interval % 1 ? 1 : 0));
+    const [low, high] = [plain(decibels.min), plain(decibels.max)];
     note.textContent = `${from}; rings: LRCS [dBsm], from ${low} in the centre to ${high} outside.`;
     note.textContent = note.textContent[0].toUpperCase() + note.textContent.slice(1);
     this.draw();
@@ -81,12 +81,11 @@ export class PolarPlot {
 
   // Between two spokes, where the least is drawn.
   ringLabels() {
-    const digits = this.decibels.interval % 1 ? 1 : 0;
     return svg('g', { class: 'label' }, this.ringValues().slice(1).map((value) => {
       const share = (value - this.decibels.min) / (this.decibels.max - this.decibels.min);
       const [x, y] = this.place(this.data.axis === 'azimuth' ? -165 : -105, share);
       const label = svg('text', { x, y: y + 0.35 * this.font, 'text-anchor': 'middle', fill: ink });
-      label.textContent = dbText(value, digits);
+      label.textContent = plain(value);
       return label;
     }));
   }

@@ -113,7 +113,7 @@ export class SweepPlot {
     const parts = this.data.part_sigma_m2;
     const area = (name, colour, height) => this.line(height, {
       name, stack: 'parts', showSymbol: false, lineStyle: { width: 0 }, itemStyle: { color: colour },
-      areaStyle: { color: colour, opacity: 0.85 },
+      areaStyle: { color: colour, opacity: 1 },
     });
     const { strongest, others, colours } = this.ranking;
     const stack = strongest.map((part) => area('', colours[part], (row) => parts[row][part]));

@@ -52,9 +52,12 @@ export class TargetView {
     this.controls.minZoom = 0.2;
     this.controls.maxZoom = 200;
     this.controls.addEventListener('change', () => this.redrawSoon());
-    this.resize();
+    this.setSize();
     this.reset();
-    onResize(this.canvas.parentElement, () => this.resize());
+    onResize(this.canvas.parentElement, () => {
+      this.setSize();
+      this.draw();
+    });
     window.addEventListener('beforeprint', () => this.draw());
     this.canvas.addEventListener('keydown', (event) => this.onKey(event));
   }
@@ -149,7 +152,7 @@ export class TargetView {
     this.redrawSoon();
   }
 
-  resize() {
+  setSize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;
     this.width = width;
@@ -162,7 +165,6 @@ export class TargetView {
     const across = half * Math.max(width / height, 1);
     const up = half * Math.max(height / width, 1);
     Object.assign(this.camera, { left: -across, right: across, top: up, bottom: -up });
-    this.draw();
   }
 
   redrawSoon() {

@@ -141,7 +141,7 @@ function sweptBoth() {
 
 function large() {
   const body = satellite(24);
-  addSphere(body.mesh, [0, 0, -1.4], 0.8, 106, 14, 2, (polar, azimuth) => 1 + 0.06 * Math.sin(7 * azimuth) * Math.sin(5 * polar));
+  addSphere(body.mesh, [0, 0, -1.4], 0.8, 110, 14, 2, (polar, azimuth) => 1 + 0.06 * Math.sin(7 * azimuth) * Math.sin(5 * polar));
   body.parts.push('tank/shell');
   const azimuths = range(0, 358, 2);
   return payload(body, around(azimuths), oneCut(azimuths), { stored: azimuths.map((_, k) => k), targetFacets: 1234567, coding: 'differences' });
