@@ -21,6 +21,8 @@ export function makeChart(host, draw) {
   return chart;
 }
 
+export const lineWidth = () => 0.12 * rootFontPx();
+
 export const chartFontPx = () => 0.85 * rootFontPx();
 
 export function baseOption() {
@@ -59,6 +61,8 @@ export function multiples(min, max, interval) {
   for (let k = Math.ceil(min / interval - 1e-9); k * interval <= max + 1e-9; ++k) values.push(k * interval);
   return values;
 }
+
+export const markerRadius = () => 0.32 * rootFontPx();
 
 // An SVG over a chart, for the marker at the present aspect: moving it redraws no curve.
 export function makeMarkerLayer(host) {

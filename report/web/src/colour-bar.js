@@ -2,6 +2,7 @@
 import { otherPartsColour, unseenColour, viridisGradient } from './colour.js';
 import { el } from './dom.js';
 import { materialColour } from './facet-colours.js';
+import { nameOf } from './part-ranking.js';
 import { plain } from './sigma.js';
 
 // atMost: colours at the low end stand for all that is lower, too.
@@ -32,10 +33,10 @@ export function drawColourKey(host, data, ranking, { colouring, floorDb }) {
   } else if (colouring === 'seen') {
     horizontalBar(host, { gradient, min: 0, max: 100, interval: 20, label: 'lit and seen share of the facet [%]' }, unseen());
   } else if (colouring === 'part') {
-    const entries = ranking.strongest.map((part) => swatch(ranking.colours[part], data.parts[part].name));
+    const entries = ranking.strongest.map((part) => swatch(ranking.colours[part], nameOf(data.parts[part])));
     if (ranking.others.length > 0) entries.push(swatch(otherPartsColour, `other parts (${ranking.others.length})`));
     host.replaceChildren(el('ul', { class: 'legend' }, entries));
   } else {
-    host.replaceChildren(el('ul', { class: 'legend' }, data.materials.map((material, k) => swatch(materialColour(k), material.name))));
+    host.replaceChildren(el('ul', { class: 'legend' }, data.materials.map((material, k) => swatch(materialColour(k), nameOf(material)))));
   }
 }

@@ -2,6 +2,7 @@
 import { nearestStored, transmitterText } from './aspect.js';
 import { el } from './dom.js';
 import { levelDb } from './facet-colours.js';
+import { nameOf } from './part-ranking.js';
 import { countText, dbText, dbsm, plain, shareText } from './sigma.js';
 
 const entry = (label, ...value) => [el('dt', {}, label), el('dd', {}, ...value)];
@@ -29,9 +30,9 @@ export class FacetCard {
   partEntries(part) {
     const { row } = this.aspect;
     const sigma = this.data.part_sigma_m2[row][part];
-    const { name, facets, area_m2: area } = this.data.parts[part];
+    const { facets, area_m2: area } = this.data.parts[part];
     return [
-      ...entry('Part', name === '' ? '(no name)' : name),
+      ...entry('Part', nameOf(this.data.parts[part])),
       ...entry('LRCS of the part', el('span', { 'data-sigma': sigma, title: `${sigma} m²` }, `${sigma} m²`), ` (${dbText(dbsm(sigma))} dBsm)`),
       ...entry('Share of the total', shareText(sigma, this.data.rows.sigma_m2[row])),
       ...entry('Facets, area', `${countText(facets)}, ${plain(Number(area.toPrecision(4)))} m²`),
@@ -42,7 +43,7 @@ export class FacetCard {
     const material = this.data.materials[this.facets.material[facet]];
     const stored = nearestStored(this.data, this.aspect.row);
     return [
-      ...entry('Material', material ? material.name : 'none'),
+      ...entry('Material', material ? nameOf(material) : 'none'),
       ...(stored < 0 ? [] : this.returnEntries(facet, stored)),
       ...entry('Area of the facet', `${plain(Number(this.facets.area[facet].toPrecision(4)))} m²`),
     ];

@@ -74,7 +74,7 @@ function main() {
 
 function drawPlots(data, aspect, ranking, decibels) {
   const plots = {};
-  plots.sweep = new SweepPlot(byId('sweep-plot'), byId('sweep-legend'), byId('sweep-note'), data, aspect, ranking, decibels);
+  plots.sweep = new SweepPlot(byId('sweep-plot'), byId('sweep-heading'), byId('sweep-legend'), byId('sweep-note'), data, aspect, ranking, decibels);
   byId('stacked').addEventListener('change', (event) => plots.sweep.setStacked(event.target.checked));
   byId('polar-panel').hidden = data.axis === 'row';
   if (data.axis !== 'row') plots.polar = new PolarPlot(byId('polar-plot'), byId('polar-note'), data, aspect, decibels);

@@ -1,7 +1,8 @@
 // The materials: BRDF in the plane of incidence, one curve for each angle of incidence, and the definition.
-import { baseOption, chartFontPx, makeChart, valueAxis } from './chart.js';
+import { baseOption, chartFontPx, lineWidth, makeChart, valueAxis } from './chart.js';
 import { el } from './dom.js';
 import { materialColour } from './facet-colours.js';
+import { nameOf } from './part-ranking.js';
 import { angleText, countText, plain } from './sigma.js';
 
 const curveColours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#595959'];
@@ -24,7 +25,7 @@ export function drawMaterials(host, data) {
     const plot = el('div', { class: 'chart brdf', role: 'img', 'aria-label': summary(material) });
     const swatch = el('span', { class: 'swatch', style: `background:${materialColour(k)}` });
     host.append(el('article', {},
-      el('h3', {}, swatch, material.name === '' ? '(no name)' : material.name, el('small', {}, ` ${countText(material.facets)} facets`)),
+      el('h3', {}, swatch, nameOf(material), el('small', {}, ` ${countText(material.facets)} facets`)),
       material.f_r_per_sr.length > 0 ? [el('div', { class: 'chart-frame' }, plot), legend(material)] : null,
       el('pre', { tabindex: 0, 'aria-label': 'definition' }, material.definition)));
     if (material.f_r_per_sr.length > 0) {
@@ -57,9 +58,9 @@ function drawBrdf(chart, plot, material) {
   const positive = values.filter((value) => value > 0);
   const low = positive.reduce((a, b) => Math.min(a, b), Infinity);
   const logarithmic = high / low > linearSpan;
-  const decades = logarithmic ? { min: Math.max(10 ** Math.floor(Math.log10(low)), 10 ** (Math.ceil(Math.log10(high)) - 6)), max: 10 ** Math.ceil(Math.log10(high)) } : null;
-  const gap = 3.6 * font;
-  const y = valueAxis({ name: 'f_r [1/sr]', gap, label: logarithmic ? powerText : (value) => plain(Number(value.toPrecision(6))) });
+  const top = Math.ceil(Math.log10(high));
+  const decades = logarithmic ? { min: 10 ** Math.max(Math.floor(Math.log10(low)), top - 6), max: 10 ** top } : null;
+  const y = valueAxis({ name: 'f_r [1/sr]', gap: 3.6 * font, label: logarithmic ? powerText : (value) => plain(Number(value.toPrecision(6))) });
   chart.setOption({
     ...baseOption(),
     grid: { left: 5.2 * font, right: 1.5 * font, top: font, bottom: 3.6 * font },
@@ -68,7 +69,7 @@ function drawBrdf(chart, plot, material) {
     tooltip: { show: false },
     series: material.theta_i_deg.map((theta, k) => ({
       type: 'line', silent: true, showSymbol: false, connectNulls: false,
-      lineStyle: { width: 1.8, color: curveColours[k % curveColours.length] },
+      lineStyle: { width: lineWidth(), color: curveColours[k % curveColours.length] },
       data: material.theta_r_deg.map((angle, i) => [angle, drawable(material.f_r_per_sr[k][i], decades)]),
     })),
   }, { notMerge: true });

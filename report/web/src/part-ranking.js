@@ -13,6 +13,8 @@ export class PartRanking {
   }
 }
 
+export const nameOf = ({ name }) => (name === '' ? '(no name)' : name);
+
 // Parts by their sigma at one row, strongest first.
 export function partsAt(data, row) {
   const sigma = data.part_sigma_m2[row];

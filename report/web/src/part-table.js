@@ -1,6 +1,6 @@
 // The parts at the present aspect, strongest first, and their sum, which is the total.
 import { el } from './dom.js';
-import { partsAt } from './part-ranking.js';
+import { nameOf, partsAt } from './part-ranking.js';
 import { dbText, dbsm, shareText, sigmaText } from './sigma.js';
 
 const shortest = 10;
@@ -46,9 +46,8 @@ export class PartTable {
   }
 
   line(part, sigma, total) {
-    const { name } = this.data.parts[part];
     const swatch = el('span', { class: 'swatch', style: `background:${this.ranking.colours[part]}` });
-    const button = el('button', { type: 'button', class: 'part-name', title: 'Mark this part on the target' }, name === '' ? '(no name)' : name);
+    const button = el('button', { type: 'button', class: 'part-name', title: 'Mark this part on the target' }, nameOf(this.data.parts[part]));
     return el('tr', { 'data-part': part }, el('th', { scope: 'row' }, el('span', { class: 'part-cell' }, swatch, button)), ...this.numbers(sigma, total));
   }
 

@@ -1,6 +1,6 @@
-// LRCS in dBsm around the target: azimuths as seen from above with the nose up, elevations as seen from the right side
-// with the nose to the right.
+// LRCS in dBsm around the target: azimuths as seen from above with the nose up, elevations with +z up.
 import { placeText } from './aspect.js';
+import { lineWidth, markerRadius } from './chart.js';
 import { curveColour, ink } from './colour.js';
 import { onResize, rootFontPx, svg } from './dom.js';
 import { angleText, dbText, dbsm, plain } from './sigma.js';
@@ -16,10 +16,6 @@ export class PolarPlot {
     this.drawing.addEventListener('pointerleave', () => this.readout.replaceChildren());
     onResize(host, () => this.draw());
     aspect.follow((cutChanged) => (cutChanged ? this.draw() : this.mark()));
-    const from = data.axis === 'azimuth' ? 'azimuth, seen from above, nose up' : 'elevation, seen from the right side, nose to the right';
-    const [low, high] = [plain(decibels.min), plain(decibels.max)];
-    note.textContent = `${from}; rings: LRCS [dBsm], from ${low} in the centre to ${high} outside.`;
-    note.textContent = note.textContent[0].toUpperCase() + note.textContent.slice(1);
     this.draw();
   }
 
@@ -34,9 +30,21 @@ export class PolarPlot {
     this.drawing.setAttribute('font-size', this.font);
     this.marker = svg('g', {});
     this.readout = svg('text', { x: 2, y: this.font, fill: ink });
-    const curve = svg('path', { d: this.curve(), fill: 'none', stroke: curveColour, 'stroke-width': 1.8, 'stroke-linejoin': 'round', 'stroke-linecap': 'round' });
+    const curve = svg('path', { d: this.curve(), fill: 'none', stroke: curveColour, 'stroke-width': lineWidth(), 'stroke-linejoin': 'round', 'stroke-linecap': 'round' });
     this.drawing.replaceChildren(this.spokes(), this.rings(), curve, ...this.dots(), this.ringLabels(), this.marker, this.readout);
+    this.say();
     this.mark();
+  }
+
+  // Whether 0 degrees of the present cut is where the nose points, seen from where the plot is.
+  get throughNose() {
+    return this.data.axis === 'azimuth' || this.data.rows.transmitter_azimuth_deg[this.aspect.cut.rows[0]] === 0;
+  }
+
+  say() {
+    const side = this.throughNose ? 'Elevation, seen from the right side, nose to the right' : `Elevation, ${this.aspect.cut.label}, +z up`;
+    const from = this.data.axis === 'azimuth' ? 'Azimuth, seen from above, nose up' : side;
+    this.note.textContent = `${from}; rings: LRCS [dBsm], from ${plain(this.decibels.min)} in the centre to ${plain(this.decibels.max)} outside.`;
   }
 
   place(angleDeg, share) {
@@ -73,7 +81,7 @@ export class PolarPlot {
       const side = x - this.centre[0];
       const anchor = Math.abs(side) < 0.2 * this.radius ? 'middle' : side > 0 ? 'start' : 'end';
       const label = svg('text', { x, y: y + 0.35 * this.font, 'text-anchor': anchor, fill: ink });
-      label.textContent = angleText(this.signed && angle > 180 ? angle - 360 : angle) + (angle === 0 ? ' nose' : '');
+      label.textContent = angleText(this.signed && angle > 180 ? angle - 360 : angle) + (angle === 0 && this.throughNose ? ' nose' : '');
       group.append(label);
     }
     return group;
@@ -104,7 +112,7 @@ export class PolarPlot {
     if (rows.length > 40) return [];
     return rows.map((row, i) => {
       const [cx, cy] = this.place(angles[i], this.share(this.data.rows.sigma_m2[row]));
-      return svg('circle', { cx, cy, r: 2.5, fill: curveColour });
+      return svg('circle', { cx, cy, r: 1.4 * lineWidth(), fill: curveColour });
     });
   }
 
@@ -118,7 +126,7 @@ export class PolarPlot {
     this.markerAt = [cx, cy];
     this.marker.replaceChildren(
       svg('line', { x1: this.centre[0], y1: this.centre[1], x2, y2, class: 'marker-line' }),
-      svg('circle', { cx, cy, r: 5, class: 'marker-dot' }),
+      svg('circle', { cx, cy, r: markerRadius(), class: 'marker-dot' }),
     );
     this.host.setAttribute('aria-label', `Polar plot of LRCS, ${cut.label}; marked: ${placeText(this.data, angle)}, ${dbText(dbsm(sigma))} dBsm.`);
   }

@@ -1,15 +1,16 @@
 // LRCS along the present cut: in dBsm with the bound of its error, or in m^2 stacked by parts.
 import { axisText, nearestIndex, placeText } from './aspect.js';
-import { angleRange, baseOption, chartFontPx, makeChart, makeMarkerLayer, valueAxis } from './chart.js';
+import { angleRange, baseOption, chartFontPx, lineWidth, makeChart, makeMarkerLayer, markerRadius, valueAxis } from './chart.js';
 import { curveColour, ink, otherPartsColour } from './colour.js';
 import { el, svg } from './dom.js';
+import { nameOf } from './part-ranking.js';
 import { dbText, dbsm, sigmaText } from './sigma.js';
 
 const few = 40;
 
 export class SweepPlot {
-  constructor(host, legend, note, data, aspect, ranking, decibels) {
-    Object.assign(this, { host, legend, note, data, aspect, ranking, decibels });
+  constructor(host, heading, legend, note, data, aspect, ranking, decibels) {
+    Object.assign(this, { host, heading, legend, note, data, aspect, ranking, decibels });
     this.stacked = false;
     this.layer = makeMarkerLayer(host);
     this.chart = makeChart(host, () => this.draw());
@@ -45,6 +46,7 @@ export class SweepPlot {
       },
       series: this.stacked ? this.partSeries() : this.decibelSeries(),
     }, { notMerge: true });
+    this.heading.textContent = `LRCS against ${axisText(this.data)}, ${cut.label}`;
     this.drawLegend();
     this.mark();
   }
@@ -71,8 +73,8 @@ export class SweepPlot {
   line(height, more) {
     const data = this.points(height);
     return {
-      type: 'line', data, showSymbol: data.length <= few, symbol: 'circle', symbolSize: 5, cursor: 'pointer',
-      lineStyle: { width: 1.8, color: curveColour }, itemStyle: { color: curveColour }, emphasis: { disabled: true }, ...more,
+      type: 'line', data, showSymbol: data.length <= few, symbol: 'circle', symbolSize: 2.8 * lineWidth(), cursor: 'pointer',
+      lineStyle: { width: lineWidth(), color: curveColour }, itemStyle: { color: curveColour }, emphasis: { disabled: true }, ...more,
     };
   }
 
@@ -120,7 +122,7 @@ export class SweepPlot {
     if (others.length > 0) {
       stack.push(area('', otherPartsColour, (row) => others.reduce((sum, part) => sum + parts[row][part], 0)));
     }
-    return [this.line((row) => this.sigma(row), { lineStyle: { width: 1.4, color: ink }, itemStyle: { color: ink } }), ...stack];
+    return [this.line((row) => this.sigma(row), { lineStyle: { width: 0.8 * lineWidth(), color: ink }, itemStyle: { color: ink } }), ...stack];
   }
 
   drawLegend() {
@@ -128,7 +130,7 @@ export class SweepPlot {
     const { strongest, others, colours } = this.ranking;
     const entries = [];
     if (this.stacked) {
-      entries.push(...strongest.map((part) => entry(colours[part], this.data.parts[part].name)));
+      entries.push(...strongest.map((part) => entry(colours[part], nameOf(this.data.parts[part]))));
       if (others.length > 0) entries.push(entry(otherPartsColour, `other parts (${others.length})`));
     } else if (this.bandDrawn) {
       entries.push(entry('#bcd0e4', 'bound of the error'));
@@ -158,7 +160,7 @@ export class SweepPlot {
     const font = chartFontPx();
     this.layer.replaceChildren(
       svg('line', { x1: at[0], x2: at[0], y1: font, y2: top, class: 'marker-line' }),
-      svg('circle', { cx: at[0], cy: at[1], r: 5, class: 'marker-dot' }),
+      svg('circle', { cx: at[0], cy: at[1], r: markerRadius(), class: 'marker-dot' }),
     );
     this.host.setAttribute('aria-label', this.summary());
   }

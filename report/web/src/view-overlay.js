@@ -26,9 +26,9 @@ function sensorArrow(view, { direction, label }, unit) {
   const group = svg('g', {});
   const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
   for (const casing of [true, false]) {
-    const stroke = { stroke: casing ? '#fff' : ink, 'stroke-width': casing ? 6 : 2.2, fill: 'none' };
+    const stroke = { stroke: casing ? '#fff' : ink, 'stroke-width': (casing ? 0.4 : 0.15) * unit, fill: 'none' };
     group.append(svg('path', { d: shaft(from, to), ...stroke, 'stroke-dasharray': casing ? null : dashes }));
-    group.append(svg('path', { d: head(from, to, 0.8 * unit), ...stroke, 'stroke-linejoin': 'round' }));
+    group.append(svg('path', { d: head(from, to, 0.7 * unit), ...stroke, 'stroke-linejoin': 'round' }));
   }
   const along = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
   const [right, down] = [(to[0] - from[0]) / along, (to[1] - from[1]) / along];
@@ -60,7 +60,7 @@ function axesTriad(view, unit) {
   for (const { name, label, seen } of drawn) {
     const length = 2 * unit;
     const to = [origin[0] + length * seen.x, origin[1] - length * seen.y];
-    const stroke = { stroke: axisColours[name], 'stroke-width': 2, fill: 'none', 'stroke-linejoin': 'round' };
+    const stroke = { stroke: axisColours[name], 'stroke-width': 0.13 * unit, fill: 'none', 'stroke-linejoin': 'round' };
     group.append(svg('path', { d: shaft(origin, to), ...stroke }));
     if (Math.hypot(seen.x, seen.y) > 0.2) group.append(svg('path', { d: head(origin, to, 0.5 * unit), ...stroke }));
     const anchor = seen.x < -0.2 ? 'end' : seen.x > 0.2 ? 'start' : 'middle';
