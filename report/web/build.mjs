@@ -11,9 +11,18 @@ const source = (name) => readFileSync(join(folder, 'src', name), 'utf8');
 
 async function bundle(entry) {
   const { outputFiles, metafile } = await build({
-    entryPoints: [join(folder, 'src', entry)], absWorkingDir: folder, bundle: true, minify: true, write: false,
-    target: 'es2020', format: entry.endsWith('.js') ? 'iife' : undefined, legalComments: 'none', charset: 'utf8', metafile: true,
-    define: { 'process.env.NODE_ENV': '"production"' }, logLevel: 'warning',
+    entryPoints: [join(folder, 'src', entry)],
+    absWorkingDir: folder,
+    bundle: true,
+    minify: true,
+    write: false,
+    target: 'es2020',
+    format: entry.endsWith('.js') ? 'iife' : undefined,
+    legalComments: 'none',
+    charset: 'utf8',
+    metafile: true,
+    define: { 'process.env.NODE_ENV': '"production"' },
+    logLevel: 'warning',
   });
   return { text: outputFiles[0].text.trim(), inputs: Object.keys(metafile.inputs) };
 }
@@ -21,14 +30,18 @@ async function bundle(entry) {
 // Of every package that the bundle has a piece of.
 function licences(inputs) {
   const names = new Set(inputs.map((path) => path.match(/^node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1]).filter(Boolean));
-  return [...names].sort().map((name) => {
-    const inPackage = (file) => join(folder, 'node_modules', name, file);
-    const { version, license } = JSON.parse(readFileSync(inPackage('package.json'), 'utf8'));
-    const files = ['LICENSE', 'LICENSE.txt', 'NOTICE'].filter((file) => existsSync(inPackage(file)));
-    if (files.length === 0) throw new Error(`${name} comes without a licence text`);
-    const texts = files.map((file) => readFileSync(inPackage(file), 'utf8').trim());
-    return [`${name} ${version} (${license})`, ...texts].join('\n\n');
-  }).join('\n\n\n').replace(/-{2,}/g, (dashes) => dashes.replace(/-/g, '='));
+  return [...names]
+    .sort()
+    .map((name) => {
+      const inPackage = (file) => join(folder, 'node_modules', name, file);
+      const { version, license } = JSON.parse(readFileSync(inPackage('package.json'), 'utf8'));
+      const files = ['LICENSE', 'LICENSE.txt', 'NOTICE'].filter((file) => existsSync(inPackage(file)));
+      if (files.length === 0) throw new Error(`${name} comes without a licence text`);
+      const texts = files.map((file) => readFileSync(inPackage(file), 'utf8').trim());
+      return [`${name} ${version} (${license})`, ...texts].join('\n\n');
+    })
+    .join('\n\n\n')
+    .replace(/-{2,}/g, (dashes) => dashes.replace(/-/g, '='));
 }
 
 async function page() {
@@ -37,7 +50,8 @@ async function page() {
     if (script.text.includes(harmful)) throw new Error(`the script holds ${harmful}, which ends or hides it`);
   }
   const hash = createHash('sha256').update(script.text).digest('base64');
-  const policy = `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'; img-src data: blob:; ` +
+  const policy =
+    `default-src 'none'; script-src 'sha256-${hash}'; style-src 'unsafe-inline'; img-src data: blob:; ` +
     "base-uri 'none'; form-action 'none'";
   const put = { '/* policy */': policy, '/* style */': style.text, '/* script */': script.text };
   let html = source('index.html');

@@ -40,8 +40,10 @@ export class AspectBar {
     const value = `${sigmaText(sigma)} m², ${dbText(dbsm(sigma))} dBsm`;
     this.slider.setAttribute('aria-valuetext', `${placeText(this.data, cut.angle_deg[place])}: LRCS ${value}`);
     this.result.replaceChildren(
-      el('span', { class: 'where' }, placeText(this.data, cut.angle_deg[place])), ' ',
-      el('span', { class: 'what', title: `${sigma} m²` }, `LRCS ${sigmaText(sigma)} m² (${dbText(dbsm(sigma))} dBsm)`), ' ',
+      el('span', { class: 'where' }, placeText(this.data, cut.angle_deg[place])),
+      ' ',
+      el('span', { class: 'what', title: `${sigma} m²` }, `LRCS ${sigmaText(sigma)} m² (${dbText(dbsm(sigma))} dBsm)`),
+      ' ',
       el('span', { class: 'bound', title: `${rows.bound_m2[row]} m²` }, `± ${boundText(rows.bound_m2[row])} m²`),
     );
     this.directions.textContent = this.aspect.monostatic

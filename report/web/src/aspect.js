@@ -63,11 +63,7 @@ export function nearestIndex(values, wanted) {
 export function direction(azimuthDeg, elevationDeg) {
   const azimuth = (azimuthDeg * Math.PI) / 180;
   const elevation = (elevationDeg * Math.PI) / 180;
-  return [
-    Math.cos(elevation) * Math.cos(azimuth),
-    Math.cos(elevation) * Math.sin(azimuth),
-    Math.sin(elevation),
-  ];
+  return [Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation)];
 }
 
 export function directionsOf(rows, row) {
@@ -82,8 +78,7 @@ const anglesText = (azimuth, elevation) => `azimuth ${angleText(azimuth)}, eleva
 export const transmitterText = (rows, row) =>
   anglesText(rows.transmitter_azimuth_deg[row], rows.transmitter_elevation_deg[row]);
 
-export const receiverText = (rows, row) =>
-  anglesText(rows.receiver_azimuth_deg[row], rows.receiver_elevation_deg[row]);
+export const receiverText = (rows, row) => anglesText(rows.receiver_azimuth_deg[row], rows.receiver_elevation_deg[row]);
 
 export function axisText(data) {
   return data.axis === 'row' ? 'row of sweep.csv' : data.axis;

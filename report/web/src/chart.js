@@ -32,7 +32,13 @@ export function baseOption() {
 export function valueAxis({ name, min, max, interval, gap, ticks, grid = true, label = plain }) {
   const fontSize = chartFontPx();
   return {
-    type: 'value', min, max, interval, name, nameGap: gap, nameLocation: 'middle',
+    type: 'value',
+    min,
+    max,
+    interval,
+    name,
+    nameGap: gap,
+    nameLocation: 'middle',
     nameTextStyle: { fontSize, color: ink, fontFamily },
     axisLine: { show: true, onZero: false, lineStyle: { color: ink } },
     axisTick: { show: true, lineStyle: { color: ink }, customValues: ticks },
@@ -51,7 +57,11 @@ export function angleRange(angles, widthPx, counted) {
   const room = Math.max(widthPx / (3.6 * chartFontPx()), 2);
   const steps = counted ? countSteps : angleSteps;
   const interval = steps.find((step) => (high - low) / step <= room) ?? steps[steps.length - 1];
-  const range = { min: interval * Math.floor(low / interval + 1e-9), max: interval * Math.ceil(high / interval - 1e-9), interval };
+  const range = {
+    min: interval * Math.floor(low / interval + 1e-9),
+    max: interval * Math.ceil(high / interval - 1e-9),
+    interval,
+  };
   if (range.max > range.min) return range;
   return { min: range.min - 2 * interval, max: range.max + 2 * interval, interval };
 }

@@ -56,7 +56,9 @@ function weldedCorners(positions, triangles) {
   let size = 1;
   while (size < 2 * vertices) size *= 2;
   const table = new Int32Array(size).fill(-1);
-  const same = (a, b) => positions[3 * a] === positions[3 * b] && positions[3 * a + 1] === positions[3 * b + 1] &&
+  const same = (a, b) =>
+    positions[3 * a] === positions[3 * b] &&
+    positions[3 * a + 1] === positions[3 * b + 1] &&
     positions[3 * a + 2] === positions[3 * b + 2];
   const welded = new Uint32Array(vertices);
   for (let v = 0; v < vertices; ++v) {

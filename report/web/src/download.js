@@ -13,9 +13,15 @@ const cell = (text) => (/[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` 
 
 // One line a row of the sweep: its angles, the total, and sigma of each part, as doubles that read back.
 export function partsCsv(data) {
-  const angles = ['transmitter_azimuth_deg', 'transmitter_elevation_deg', 'receiver_azimuth_deg', 'receiver_elevation_deg'];
+  const angles = [
+    'transmitter_azimuth_deg',
+    'transmitter_elevation_deg',
+    'receiver_azimuth_deg',
+    'receiver_elevation_deg',
+  ];
   const head = [...angles, 'sigma_m2', ...data.parts.map((part) => `sigma_m2 of ${part.name}`)];
   const lines = data.rows.sigma_m2.map((sigma, row) =>
-    [...angles.map((angle) => data.rows[angle][row]), sigma, ...data.part_sigma_m2[row]].map(String));
+    [...angles.map((angle) => data.rows[angle][row]), sigma, ...data.part_sigma_m2[row]].map(String),
+  );
   return [head, ...lines].map((line) => line.map(cell).join(',')).join('\n') + '\n';
 }

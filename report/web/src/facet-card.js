@@ -33,7 +33,11 @@ export class FacetCard {
     const { facets, area_m2: area } = this.data.parts[part];
     return [
       ...entry('Part', nameOf(this.data.parts[part])),
-      ...entry('LRCS of the part', el('span', { 'data-sigma': sigma, title: `${sigma} m²` }, `${sigma} m²`), ` (${dbText(dbsm(sigma))} dBsm)`),
+      ...entry(
+        'LRCS of the part',
+        el('span', { 'data-sigma': sigma, title: `${sigma} m²` }, `${sigma} m²`),
+        ` (${dbText(dbsm(sigma))} dBsm)`,
+      ),
       ...entry('Share of the total', shareText(sigma, this.data.rows.sigma_m2[row])),
       ...entry('Facets, area', `${countText(facets)}, ${plain(Number(area.toPrecision(4)))} m²`),
     ];

@@ -1,6 +1,16 @@
 // The shown facets as one mesh: flat colours, hatching over the highlighted part, and that part's outline through
 // whatever stands before it.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, GLSL3, GreaterDepth, Mesh, ShaderMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  FrontSide,
+  GLSL3,
+  GreaterDepth,
+  Mesh,
+  ShaderMaterial,
+} from 'three';
 import { highlight } from './colour.js';
 
 const vertexShader = `
@@ -54,16 +64,31 @@ export class FacetMesh {
     this.uniforms = { selected: { value: -1 }, mark: { value: new Color(highlight) }, pixel: { value: 1 } };
     const material = (fragmentShader, onlySelected, more) =>
       new ShaderMaterial({
-        glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide,
-        uniforms: { ...this.uniforms, onlySelected: { value: onlySelected } }, ...more,
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        side: DoubleSide,
+        uniforms: { ...this.uniforms, onlySelected: { value: onlySelected } },
+        ...more,
       });
     // Pushed back so that creases, which lie in the facets' planes, are not cut by them.
-    this.facets = new Mesh(this.geometry, material(facetShader, false, {
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
-    }));
-    this.through = new Mesh(this.geometry, material(throughShader, true, {
-      side: FrontSide, depthFunc: GreaterDepth, depthWrite: false, transparent: true,
-    }));
+    this.facets = new Mesh(
+      this.geometry,
+      material(facetShader, false, {
+        polygonOffset: true,
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 2,
+      }),
+    );
+    this.through = new Mesh(
+      this.geometry,
+      material(throughShader, true, {
+        side: FrontSide,
+        depthFunc: GreaterDepth,
+        depthWrite: false,
+        transparent: true,
+      }),
+    );
     this.through.visible = false;
   }
 

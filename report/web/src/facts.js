@@ -3,8 +3,14 @@ import { el } from './dom.js';
 import { countText, lengthText, plain, wavelengthText } from './sigma.js';
 
 const list = (host, facts) =>
-  host.replaceChildren(...facts.filter(([, value]) => value !== null && value !== undefined && value !== '')
-    .flatMap(([label, value]) => [el('dt', {}, label), el('dd', { class: /^[0-9a-f]{64}$/.test(value) ? 'digest' : null }, String(value))]));
+  host.replaceChildren(
+    ...facts
+      .filter(([, value]) => value !== null && value !== undefined && value !== '')
+      .flatMap(([label, value]) => [
+        el('dt', {}, label),
+        el('dd', { class: /^[0-9a-f]{64}$/.test(value) ? 'digest' : null }, String(value)),
+      ]),
+  );
 
 const seconds = (value) => (value === null || value === undefined ? null : `${plain(Number(value.toPrecision(3)))} s`);
 
@@ -12,7 +18,14 @@ export function drawWarnings(host, warnings) {
   host.hidden = warnings.length === 0;
   if (host.hidden) return;
   const heading = warnings.length === 1 ? 'Warning' : `${warnings.length} warnings`;
-  host.replaceChildren(el('strong', {}, heading), el('ul', {}, warnings.map((warning) => el('li', {}, warning))));
+  host.replaceChildren(
+    el('strong', {}, heading),
+    el(
+      'ul',
+      {},
+      warnings.map((warning) => el('li', {}, warning)),
+    ),
+  );
 }
 
 export function runLine({ run, target, version }) {

@@ -40,7 +40,14 @@ export class HeatMap {
     this.chart.getZr().on('globalout', () => this.readout.replaceChildren());
     this.chart.getZr().on('click', (event) => this.jump(event.offsetX, event.offsetY));
     const { min, max, interval } = decibels;
-    horizontalBar(bar, { gradient: viridisGradient('right'), min, max, interval, label: 'LRCS [dBsm]', atMost: decibels.clipped > 0 });
+    horizontalBar(bar, {
+      gradient: viridisGradient('right'),
+      min,
+      max,
+      interval,
+      label: 'LRCS [dBsm]',
+      atMost: decibels.clipped > 0,
+    });
     note.textContent = decibels.note;
     note.hidden = decibels.note === '';
     aspect.follow(() => this.mark());
@@ -59,37 +66,54 @@ export class HeatMap {
     };
     const x = axis('azimuth [deg]', 1.9 * font, this.table.azimuths, this.across, width);
     const y = axis('elevation [deg]', 2.9 * font, this.table.elevations, this.up, 1.6 * height);
-    this.chart.setOption({
-      ...baseOption(),
-      grid: { left, right, top, bottom },
-      xAxis: x,
-      yAxis: y,
-      series: [{
-        type: 'custom', data: [[x.min, y.min]], clip: true, cursor: 'pointer',
-        renderItem: (_, api) => {
-          const [px, py] = api.coord([x.min, y.max]);
-          const [qx, qy] = api.coord([x.max, y.min]);
-          return { type: 'image', style: { image: this.picture(qx - px, qy - py), x: px, y: py, width: qx - px, height: qy - py } };
-        },
-      }],
-    }, { notMerge: true });
+    this.chart.setOption(
+      {
+        ...baseOption(),
+        grid: { left, right, top, bottom },
+        xAxis: x,
+        yAxis: y,
+        series: [
+          {
+            type: 'custom',
+            data: [[x.min, y.min]],
+            clip: true,
+            cursor: 'pointer',
+            renderItem: (_, api) => {
+              const [px, py] = api.coord([x.min, y.max]);
+              const [qx, qy] = api.coord([x.max, y.min]);
+              return {
+                type: 'image',
+                style: { image: this.picture(qx - px, qy - py), x: px, y: py, width: qx - px, height: qy - py },
+              };
+            },
+          },
+        ],
+      },
+      { notMerge: true },
+    );
     this.mark();
   }
 
   // Cells as a picture of its own: tens of thousands of them are no elements of the page.
   picture(width, height) {
     const ratio = window.devicePixelRatio;
-    const canvas = el('canvas', { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) });
+    const canvas = el('canvas', {
+      width: Math.max(1, Math.round(width * ratio)),
+      height: Math.max(1, Math.round(height * ratio)),
+    });
     const pen = canvas.getContext('2d');
     const { min, max } = this.decibels;
-    const at = (values, size) => values.map((v) => Math.round(((v - values[0]) / (values[values.length - 1] - values[0])) * size));
+    const at = (values, size) =>
+      values.map((v) => Math.round(((v - values[0]) / (values[values.length - 1] - values[0])) * size));
     const x = at(this.across, canvas.width);
     const y = at(this.up, canvas.height).map((v) => canvas.height - v);
-    this.table.rows.forEach((line, j) => line.forEach((row, i) => {
-      if (row < 0) return;
-      pen.fillStyle = `rgb(${viridis((this.decibels.height(this.data.rows.sigma_m2[row]) - min) / (max - min)).join()})`;
-      pen.fillRect(x[i], y[j + 1], x[i + 1] - x[i], y[j] - y[j + 1]);
-    }));
+    this.table.rows.forEach((line, j) =>
+      line.forEach((row, i) => {
+        if (row < 0) return;
+        pen.fillStyle = `rgb(${viridis((this.decibels.height(this.data.rows.sigma_m2[row]) - min) / (max - min)).join()})`;
+        pen.fillRect(x[i], y[j + 1], x[i + 1] - x[i], y[j] - y[j + 1]);
+      }),
+    );
     return canvas.toDataURL();
   }
 
@@ -101,7 +125,8 @@ export class HeatMap {
 
   hover(x, y) {
     const row = this.rowAt(x, y);
-    this.readout.textContent = row < 0 ? '' : `${transmitterText(this.data.rows, row)}: ${dbText(dbsm(this.data.rows.sigma_m2[row]))} dBsm`;
+    this.readout.textContent =
+      row < 0 ? '' : `${transmitterText(this.data.rows, row)}: ${dbText(dbsm(this.data.rows.sigma_m2[row]))} dBsm`;
   }
 
   jump(x, y) {
@@ -127,7 +152,10 @@ export class HeatMap {
       this.readout,
     );
     const sigma = rows.sigma_m2[row];
-    this.host.setAttribute('aria-label', `Map of LRCS over azimuth and elevation; marked: ${transmitterText(rows, row)}, ` +
-      `${sigmaText(sigma)} m², ${dbText(dbsm(sigma))} dBsm.`);
+    this.host.setAttribute(
+      'aria-label',
+      `Map of LRCS over azimuth and elevation; marked: ${transmitterText(rows, row)}, ` +
+        `${sigmaText(sigma)} m², ${dbText(dbsm(sigma))} dBsm.`,
+    );
   }
 }

@@ -31,11 +31,16 @@ function main() {
 
   const aspect = new Aspect(data);
   const ranking = new PartRanking(data);
-  const decibels = new DecibelRange(data.rows.sigma_m2);
+  const decibels = new DecibelRange(data.rows.sigma_m2, data.rows.bound_m2);
   const selection = new Selection([]);
   const bar = {
-    slider: byId('slider'), cutSelect: byId('cut'), cutLabel: byId('cut-label'), play: byId('play'),
-    result: byId('result'), directions: byId('directions'), ends: [byId('first-angle'), byId('last-angle')],
+    slider: byId('slider'),
+    cutSelect: byId('cut'),
+    cutLabel: byId('cut-label'),
+    play: byId('play'),
+    result: byId('result'),
+    directions: byId('directions'),
+    ends: [byId('first-angle'), byId('last-angle')],
   };
   new AspectBar(bar, data, aspect);
   const plots = drawPlots(data, aspect, ranking, decibels);
@@ -50,13 +55,17 @@ function main() {
   // What is above is on the screen before the facets, which take longest, are read.
   let panel = null;
   const ready = new Promise((resolve) => {
-    requestAnimationFrame(() => setTimeout(() => {
-      panel = drawTarget(data, aspect, ranking, selection);
-      requestAnimationFrame(() => setTimeout(() => {
-        resolve({ firstPictureMs: performance.now() });
-        setTimeout(() => panel.addCreases(), 0);
-      }));
-    }));
+    requestAnimationFrame(() =>
+      setTimeout(() => {
+        panel = drawTarget(data, aspect, ranking, selection);
+        requestAnimationFrame(() =>
+          setTimeout(() => {
+            resolve({ firstPictureMs: performance.now() });
+            setTimeout(() => panel.addCreases(), 0);
+          }),
+        );
+      }),
+    );
   });
   window.lrcs = {
     ready,
@@ -65,7 +74,11 @@ function main() {
     pick: (x, y) => panel?.pick(x, y) ?? null,
     get state() {
       return {
-        row: aspect.row, cut: aspect.cutIndex, part: selection.part, facet: selection.facet, ...panel?.state,
+        row: aspect.row,
+        cut: aspect.cutIndex,
+        part: selection.part,
+        facet: selection.facet,
+        ...panel?.state,
         markers: Object.fromEntries(Object.entries(plots).map(([name, plot]) => [name, plot.markerAt])),
       };
     },
@@ -74,22 +87,39 @@ function main() {
 
 function drawPlots(data, aspect, ranking, decibels) {
   const plots = {};
-  plots.sweep = new SweepPlot(byId('sweep-plot'), byId('sweep-heading'), byId('sweep-legend'), byId('sweep-note'), data, aspect, ranking, decibels);
+  plots.sweep = new SweepPlot(
+    byId('sweep-plot'),
+    byId('sweep-heading'),
+    byId('sweep-legend'),
+    byId('sweep-note'),
+    data,
+    aspect,
+    ranking,
+    decibels,
+  );
   byId('stacked').addEventListener('change', (event) => plots.sweep.setStacked(event.target.checked));
   byId('polar-panel').hidden = data.axis === 'row';
   if (data.axis !== 'row') plots.polar = new PolarPlot(byId('polar-plot'), byId('polar-note'), data, aspect, decibels);
   const table = rowTable(data);
   byId('heat-panel').hidden = table === null;
-  if (table) plots.heat = new HeatMap(byId('heat-map'), byId('heat-bar'), byId('heat-note'), data, table, aspect, decibels);
+  if (table)
+    plots.heat = new HeatMap(byId('heat-map'), byId('heat-bar'), byId('heat-note'), data, table, aspect, decibels);
   return plots;
 }
 
 function drawTarget(data, aspect, ranking, selection) {
   const panel = new TargetPanel(data, aspect, ranking, selection, {
-    frame: byId('view'), canvas: byId('target'), overlay: byId('overlay'), message: byId('no-view'),
-    colouring: byId('colouring'), floor: byId('floor'), floorLabel: byId('floor-label'),
-    key: byId('colour-key'), note: byId('view-note'),
-    buttons: byId('view-buttons'), controls: byId('view-controls'),
+    frame: byId('view'),
+    canvas: byId('target'),
+    overlay: byId('overlay'),
+    message: byId('no-view'),
+    colouring: byId('colouring'),
+    floor: byId('floor'),
+    floorLabel: byId('floor-label'),
+    key: byId('colour-key'),
+    note: byId('view-note'),
+    buttons: byId('view-buttons'),
+    controls: byId('view-controls'),
   });
   panel.start(() => readFacets(data.shown));
   new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);

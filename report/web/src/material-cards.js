@@ -11,23 +11,35 @@ const linearSpan = 30;
 
 export function drawMaterials(host, data) {
   const undrawn = new Map();
-  const watcher = new IntersectionObserver((entries) => {
-    for (const { isIntersecting, target } of entries) if (isIntersecting) draw(target);
-  }, { rootMargin: '400px' });
+  const watcher = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) if (isIntersecting) draw(target);
+    },
+    { rootMargin: '400px' },
+  );
   const draw = (plot) => {
     if (!undrawn.has(plot)) return;
     const material = undrawn.get(plot);
     undrawn.delete(plot);
     watcher.unobserve(plot);
-    drawBrdf(makeChart(plot, (chart) => drawBrdf(chart, plot, material)), plot, material);
+    drawBrdf(
+      makeChart(plot, (chart) => drawBrdf(chart, plot, material)),
+      plot,
+      material,
+    );
   };
   data.materials.forEach((material, k) => {
     const plot = el('div', { class: 'chart brdf', role: 'img', 'aria-label': summary(material) });
     const swatch = el('span', { class: 'swatch', style: `background:${materialColour(k)}` });
-    host.append(el('article', {},
-      el('h3', {}, swatch, nameOf(material), el('small', {}, ` ${countText(material.facets)} facets`)),
-      material.f_r_per_sr.length > 0 ? [el('div', { class: 'chart-frame' }, plot), legend(material)] : null,
-      el('pre', { tabindex: 0, 'aria-label': 'definition' }, material.definition)));
+    host.append(
+      el(
+        'article',
+        {},
+        el('h3', {}, swatch, nameOf(material), el('small', {}, ` ${countText(material.facets)} facets`)),
+        material.f_r_per_sr.length > 0 ? [el('div', { class: 'chart-frame' }, plot), legend(material)] : null,
+        el('pre', { tabindex: 0, 'aria-label': 'definition' }, material.definition),
+      ),
+    );
     if (material.f_r_per_sr.length > 0) {
       undrawn.set(plot, material);
       watcher.observe(plot);
@@ -37,8 +49,18 @@ export function drawMaterials(host, data) {
 }
 
 function legend(material) {
-  return el('ul', { class: 'legend' }, material.theta_i_deg.map((theta, k) =>
-    el('li', {}, el('span', { class: 'stroke', style: `border-color:${curveColours[k % curveColours.length]}` }), `θ_i = ${angleText(theta)}`)));
+  return el(
+    'ul',
+    { class: 'legend' },
+    material.theta_i_deg.map((theta, k) =>
+      el(
+        'li',
+        {},
+        el('span', { class: 'stroke', style: `border-color:${curveColours[k % curveColours.length]}` }),
+        `θ_i = ${angleText(theta)}`,
+      ),
+    ),
+  );
 }
 
 function known(material) {
@@ -47,8 +69,10 @@ function known(material) {
 
 function summary(material) {
   const largest = known(material).reduce((a, b) => Math.max(a, b), 0);
-  return `BRDF of ${material.name} against angle of reflection for ${material.theta_i_deg.length} angles of incidence; ` +
-    `largest ${Number(largest.toPrecision(3))} per steradian.`;
+  return (
+    `BRDF of ${material.name} against angle of reflection for ${material.theta_i_deg.length} angles of incidence; ` +
+    `largest ${Number(largest.toPrecision(3))} per steradian.`
+  );
 }
 
 function drawBrdf(chart, plot, material) {
@@ -60,19 +84,35 @@ function drawBrdf(chart, plot, material) {
   const logarithmic = high / low > linearSpan;
   const top = Math.ceil(Math.log10(high));
   const decades = logarithmic ? { min: 10 ** Math.max(Math.floor(Math.log10(low)), top - 6), max: 10 ** top } : null;
-  const y = valueAxis({ name: 'f_r [1/sr]', gap: 3.6 * font, label: logarithmic ? powerText : (value) => plain(Number(value.toPrecision(6))) });
-  chart.setOption({
-    ...baseOption(),
-    grid: { left: 5.2 * font, right: 1.5 * font, top: font, bottom: 3.6 * font },
-    xAxis: valueAxis({ name: 'angle of reflection θ_r [deg]', gap: 1.9 * font, min: -90, max: 90, interval: plot.clientWidth < 26 * font ? 45 : 30 }),
-    yAxis: logarithmic ? { ...y, type: 'log', ...decades } : { ...y, min: 0 },
-    tooltip: { show: false },
-    series: material.theta_i_deg.map((theta, k) => ({
-      type: 'line', silent: true, showSymbol: false, connectNulls: false,
-      lineStyle: { width: lineWidth(), color: curveColours[k % curveColours.length] },
-      data: material.theta_r_deg.map((angle, i) => [angle, drawable(material.f_r_per_sr[k][i], decades)]),
-    })),
-  }, { notMerge: true });
+  const y = valueAxis({
+    name: 'f_r [1/sr]',
+    gap: 3.6 * font,
+    label: logarithmic ? powerText : (value) => plain(Number(value.toPrecision(6))),
+  });
+  chart.setOption(
+    {
+      ...baseOption(),
+      grid: { left: 5.2 * font, right: 1.5 * font, top: font, bottom: 3.6 * font },
+      xAxis: valueAxis({
+        name: 'angle of reflection θ_r [deg]',
+        gap: 1.9 * font,
+        min: -90,
+        max: 90,
+        interval: plot.clientWidth < 26 * font ? 45 : 30,
+      }),
+      yAxis: logarithmic ? { ...y, type: 'log', ...decades } : { ...y, min: 0 },
+      tooltip: { show: false },
+      series: material.theta_i_deg.map((theta, k) => ({
+        type: 'line',
+        silent: true,
+        showSymbol: false,
+        connectNulls: false,
+        lineStyle: { width: lineWidth(), color: curveColours[k % curveColours.length] },
+        data: material.theta_r_deg.map((angle, i) => [angle, drawable(material.f_r_per_sr[k][i], decades)]),
+      })),
+    },
+    { notMerge: true },
+  );
 }
 
 function drawable(value, decades) {

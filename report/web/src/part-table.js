@@ -29,12 +29,21 @@ export class PartTable {
     const total = this.data.rows.sigma_m2[row];
     const order = partsAt(this.data, row);
     const listed = this.all ? order : order.slice(0, shortest);
-    const focused = this.table.contains(document.activeElement) ? document.activeElement.closest('tr')?.dataset.part : null;
+    const focused = this.table.contains(document.activeElement)
+      ? document.activeElement.closest('tr')?.dataset.part
+      : null;
     const rows = listed.map((part) => this.line(part, sigma[part], total));
     const rest = order.slice(listed.length);
     if (rest.length > 0) {
       const sum = rest.reduce((a, part) => a + sigma[part], 0);
-      rows.push(el('tr', { class: 'rest' }, el('th', { scope: 'row' }, `other parts (${rest.length})`), ...this.numbers(sum, total)));
+      rows.push(
+        el(
+          'tr',
+          { class: 'rest' },
+          el('th', { scope: 'row' }, `other parts (${rest.length})`),
+          ...this.numbers(sum, total),
+        ),
+      );
     }
     this.table.tBodies[0].replaceChildren(...rows);
     const sum = el('tr', {}, el('th', { scope: 'row' }, 'sum of all parts = total'), ...this.numbers(total, total));
@@ -47,8 +56,17 @@ export class PartTable {
 
   line(part, sigma, total) {
     const swatch = el('span', { class: 'swatch', style: `background:${this.ranking.colours[part]}` });
-    const button = el('button', { type: 'button', class: 'part-name', title: 'Mark this part on the target' }, nameOf(this.data.parts[part]));
-    return el('tr', { 'data-part': part }, el('th', { scope: 'row' }, el('span', { class: 'part-cell' }, swatch, button)), ...this.numbers(sigma, total));
+    const button = el(
+      'button',
+      { type: 'button', class: 'part-name', title: 'Mark this part on the target' },
+      nameOf(this.data.parts[part]),
+    );
+    return el(
+      'tr',
+      { 'data-part': part },
+      el('th', { scope: 'row' }, el('span', { class: 'part-cell' }, swatch, button)),
+      ...this.numbers(sigma, total),
+    );
   }
 
   numbers(sigma, total) {

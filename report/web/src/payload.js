@@ -21,7 +21,8 @@ export function readFacets(shown) {
   const stored = shown.stored_rows.length;
   const bytes = 12 * shown.vertices + shown.facets * (12 + 2 + 2 + 4 + 2 * stored);
   const binary = unzlibSync(bytesOfBase64(text.trim()), { out: new Uint8Array(bytes) });
-  if (binary.length !== bytes) throw new Error(`The facets take ${binary.length} bytes, not ${bytes}: the file is damaged.`);
+  if (binary.length !== bytes)
+    throw new Error(`The facets take ${binary.length} bytes, not ${bytes}: the file is damaged.`);
   let offset = 0;
   const take = (Kind, count) => {
     const part = new Kind(binary.buffer, binary.byteOffset + offset, count);

@@ -30,8 +30,23 @@ export class PolarPlot {
     this.drawing.setAttribute('font-size', this.font);
     this.marker = svg('g', {});
     this.readout = svg('text', { x: 2, y: this.font, fill: ink });
-    const curve = svg('path', { d: this.curve(), fill: 'none', stroke: curveColour, 'stroke-width': lineWidth(), 'stroke-linejoin': 'round', 'stroke-linecap': 'round' });
-    this.drawing.replaceChildren(this.spokes(), this.rings(), curve, ...this.dots(), this.ringLabels(), this.marker, this.readout);
+    const curve = svg('path', {
+      d: this.curve(),
+      fill: 'none',
+      stroke: curveColour,
+      'stroke-width': lineWidth(),
+      'stroke-linejoin': 'round',
+      'stroke-linecap': 'round',
+    });
+    this.drawing.replaceChildren(
+      this.spokes(),
+      this.rings(),
+      curve,
+      ...this.dots(),
+      this.ringLabels(),
+      this.marker,
+      this.readout,
+    );
     this.say();
     this.mark();
   }
@@ -42,14 +57,19 @@ export class PolarPlot {
   }
 
   say() {
-    const side = this.throughNose ? 'Elevation, seen from the right side, nose to the right' : `Elevation, ${this.aspect.cut.label}, +z up`;
+    const side = this.throughNose
+      ? 'Elevation, seen from the right side, nose to the right'
+      : `Elevation, ${this.aspect.cut.label}, +z up`;
     const from = this.data.axis === 'azimuth' ? 'Azimuth, seen from above, nose up' : side;
     this.note.textContent = `${from}; rings: LRCS [dBsm], from ${plain(this.decibels.min)} in the centre to ${plain(this.decibels.max)} outside.`;
   }
 
   place(angleDeg, share) {
     const turn = ((this.data.axis === 'azimuth' ? angleDeg + 90 : angleDeg) * Math.PI) / 180;
-    return [this.centre[0] + share * this.radius * Math.cos(turn), this.centre[1] - share * this.radius * Math.sin(turn)];
+    return [
+      this.centre[0] + share * this.radius * Math.cos(turn),
+      this.centre[1] - share * this.radius * Math.sin(turn),
+    ];
   }
 
   share(sigma) {
@@ -65,10 +85,19 @@ export class PolarPlot {
   }
 
   rings() {
-    return svg('g', { fill: 'none', stroke: '#d0d0d0' }, this.ringValues().map((value, k) => {
-      const share = (value - this.decibels.min) / (this.decibels.max - this.decibels.min);
-      return svg('circle', { cx: this.centre[0], cy: this.centre[1], r: share * this.radius, stroke: k === 0 ? ink : null });
-    }));
+    return svg(
+      'g',
+      { fill: 'none', stroke: '#d0d0d0' },
+      this.ringValues().map((value, k) => {
+        const share = (value - this.decibels.min) / (this.decibels.max - this.decibels.min);
+        return svg('circle', {
+          cx: this.centre[0],
+          cy: this.centre[1],
+          r: share * this.radius,
+          stroke: k === 0 ? ink : null,
+        });
+      }),
+    );
   }
 
   spokes() {
@@ -81,7 +110,8 @@ export class PolarPlot {
       const side = x - this.centre[0];
       const anchor = Math.abs(side) < 0.2 * this.radius ? 'middle' : side > 0 ? 'start' : 'end';
       const label = svg('text', { x, y: y + 0.35 * this.font, 'text-anchor': anchor, fill: ink });
-      label.textContent = angleText(this.signed && angle > 180 ? angle - 360 : angle) + (angle === 0 && this.throughNose ? ' nose' : '');
+      label.textContent =
+        angleText(this.signed && angle > 180 ? angle - 360 : angle) + (angle === 0 && this.throughNose ? ' nose' : '');
       group.append(label);
     }
     return group;
@@ -89,18 +119,28 @@ export class PolarPlot {
 
   // Between two spokes, where the least is drawn.
   ringLabels() {
-    return svg('g', { class: 'label' }, this.ringValues().slice(1).map((value) => {
-      const share = (value - this.decibels.min) / (this.decibels.max - this.decibels.min);
-      const [x, y] = this.place(this.data.axis === 'azimuth' ? -165 : -105, share);
-      const label = svg('text', { x, y: y + 0.35 * this.font, 'text-anchor': 'middle', fill: ink });
-      label.textContent = plain(value);
-      return label;
-    }));
+    return svg(
+      'g',
+      { class: 'label' },
+      this.ringValues()
+        .slice(1)
+        .map((value) => {
+          const share = (value - this.decibels.min) / (this.decibels.max - this.decibels.min);
+          const [x, y] = this.place(this.data.axis === 'azimuth' ? -165 : -105, share);
+          const label = svg('text', { x, y: y + 0.35 * this.font, 'text-anchor': 'middle', fill: ink });
+          label.textContent = plain(value);
+          return label;
+        }),
+    );
   }
 
   curve() {
     const { rows, angle_deg: angles } = this.aspect.cut;
-    const at = rows.map((row, i) => this.place(angles[i], this.share(this.data.rows.sigma_m2[row])).map((v) => v.toFixed(2)).join(','));
+    const at = rows.map((row, i) =>
+      this.place(angles[i], this.share(this.data.rows.sigma_m2[row]))
+        .map((v) => v.toFixed(2))
+        .join(','),
+    );
     let widest = 0;
     for (let i = 1; i < angles.length; ++i) widest = Math.max(widest, angles[i] - angles[i - 1]);
     const gap = 360 - (angles[angles.length - 1] - angles[0]);
@@ -128,7 +168,10 @@ export class PolarPlot {
       svg('line', { x1: this.centre[0], y1: this.centre[1], x2, y2, class: 'marker-line' }),
       svg('circle', { cx, cy, r: markerRadius(), class: 'marker-dot' }),
     );
-    this.host.setAttribute('aria-label', `Polar plot of LRCS, ${cut.label}; marked: ${placeText(this.data, angle)}, ${dbText(dbsm(sigma))} dBsm.`);
+    this.host.setAttribute(
+      'aria-label',
+      `Polar plot of LRCS, ${cut.label}; marked: ${placeText(this.data, angle)}, ${dbText(dbsm(sigma))} dBsm.`,
+    );
   }
 
   nearest(event) {

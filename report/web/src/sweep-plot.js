@@ -1,6 +1,15 @@
 // LRCS along the present cut: in dBsm with the bound of its error, or in m^2 stacked by parts.
 import { axisText, nearestIndex, placeText } from './aspect.js';
-import { angleRange, baseOption, chartFontPx, lineWidth, makeChart, makeMarkerLayer, markerRadius, valueAxis } from './chart.js';
+import {
+  angleRange,
+  baseOption,
+  chartFontPx,
+  lineWidth,
+  makeChart,
+  makeMarkerLayer,
+  markerRadius,
+  valueAxis,
+} from './chart.js';
 import { curveColour, ink, otherPartsColour } from './colour.js';
 import { el, svg } from './dom.js';
 import { nameOf } from './part-ranking.js';
@@ -35,17 +44,24 @@ export class SweepPlot {
     const width = this.host.clientWidth - left - 1.5 * font;
     const along = angleRange(cut.angle_deg, width, this.data.axis === 'row');
     const unit = this.data.axis === 'row' ? '' : ' [deg]';
-    this.chart.setOption({
-      ...baseOption(),
-      grid: { left, right: 1.5 * font, top: font, bottom: 3.6 * font },
-      xAxis: valueAxis({ name: `${axisText(this.data)}${unit}`, gap: 1.9 * font, ...along }),
-      yAxis: this.stacked ? this.squareMetreAxis(font) : this.decibelAxis(font),
-      tooltip: {
-        trigger: 'axis', confine: true, transitionDuration: 0, padding: 6, axisPointer: { animation: false, lineStyle: { color: '#888' } },
-        formatter: (hits) => this.tip(hits[0].dataIndex),
+    this.chart.setOption(
+      {
+        ...baseOption(),
+        grid: { left, right: 1.5 * font, top: font, bottom: 3.6 * font },
+        xAxis: valueAxis({ name: `${axisText(this.data)}${unit}`, gap: 1.9 * font, ...along }),
+        yAxis: this.stacked ? this.squareMetreAxis(font) : this.decibelAxis(font),
+        tooltip: {
+          trigger: 'axis',
+          confine: true,
+          transitionDuration: 0,
+          padding: 6,
+          axisPointer: { animation: false, lineStyle: { color: '#888' } },
+          formatter: (hits) => this.tip(hits[0].dataIndex),
+        },
+        series: this.stacked ? this.partSeries() : this.decibelSeries(),
       },
-      series: this.stacked ? this.partSeries() : this.decibelSeries(),
-    }, { notMerge: true });
+      { notMerge: true },
+    );
     this.heading.textContent = `LRCS against ${axisText(this.data)}, ${cut.label}`;
     this.drawLegend();
     this.mark();
@@ -73,8 +89,16 @@ export class SweepPlot {
   line(height, more) {
     const data = this.points(height);
     return {
-      type: 'line', data, showSymbol: data.length <= few, symbol: 'circle', symbolSize: 2.8 * lineWidth(), cursor: 'pointer',
-      lineStyle: { width: lineWidth(), color: curveColour }, itemStyle: { color: curveColour }, emphasis: { disabled: true }, ...more,
+      type: 'line',
+      data,
+      showSymbol: data.length <= few,
+      symbol: 'circle',
+      symbolSize: 2.8 * lineWidth(),
+      cursor: 'pointer',
+      lineStyle: { width: lineWidth(), color: curveColour },
+      itemStyle: { color: curveColour },
+      emphasis: { disabled: true },
+      ...more,
     };
   }
 
@@ -102,9 +126,14 @@ export class SweepPlot {
     const low = cut.rows.map((row, i) => [cut.angle_deg[i], this.bandEnds(row)[0]]);
     const high = cut.rows.map((row, i) => [cut.angle_deg[i], this.bandEnds(row)[1]]);
     return {
-      type: 'custom', silent: true, clip: true, tooltip: { show: false }, data: [low[0]],
+      type: 'custom',
+      silent: true,
+      clip: true,
+      tooltip: { show: false },
+      data: [low[0]],
       renderItem: (_, api) => ({
-        type: 'polygon', silent: true,
+        type: 'polygon',
+        silent: true,
         shape: { points: [...low, ...high.reverse()].map((place) => api.coord(place)) },
         style: { fill: curveColour, opacity: 0.22 },
       }),
@@ -113,20 +142,37 @@ export class SweepPlot {
 
   partSeries() {
     const parts = this.data.part_sigma_m2;
-    const area = (name, colour, height) => this.line(height, {
-      name, stack: 'parts', showSymbol: false, lineStyle: { width: 0 }, itemStyle: { color: colour },
-      areaStyle: { color: colour, opacity: 1 },
-    });
+    const area = (name, colour, height) =>
+      this.line(height, {
+        name,
+        stack: 'parts',
+        showSymbol: false,
+        lineStyle: { width: 0 },
+        itemStyle: { color: colour },
+        areaStyle: { color: colour, opacity: 1 },
+      });
     const { strongest, others, colours } = this.ranking;
     const stack = strongest.map((part) => area('', colours[part], (row) => parts[row][part]));
     if (others.length > 0) {
       stack.push(area('', otherPartsColour, (row) => others.reduce((sum, part) => sum + parts[row][part], 0)));
     }
-    return [this.line((row) => this.sigma(row), { lineStyle: { width: 0.8 * lineWidth(), color: ink }, itemStyle: { color: ink } }), ...stack];
+    return [
+      this.line((row) => this.sigma(row), {
+        lineStyle: { width: 0.8 * lineWidth(), color: ink },
+        itemStyle: { color: ink },
+      }),
+      ...stack,
+    ];
   }
 
   drawLegend() {
-    const entry = (colour, name) => el('li', {}, el('span', { class: 'swatch', style: `background:${colour}` }), el('span', { class: 'name', title: name }, name));
+    const entry = (colour, name) =>
+      el(
+        'li',
+        {},
+        el('span', { class: 'swatch', style: `background:${colour}` }),
+        el('span', { class: 'name', title: name }, name),
+      );
     const { strongest, others, colours } = this.ranking;
     const entries = [];
     if (this.stacked) {
@@ -147,15 +193,25 @@ export class SweepPlot {
     const { cut } = this.aspect;
     const row = cut.rows[place];
     if (row === undefined) return '';
-    return el('div', {}, placeText(this.data, cut.angle_deg[place]), el('br'), `${sigmaText(this.sigma(row))} m²`,
-      el('br'), `${dbText(dbsm(this.sigma(row)))} dBsm`);
+    return el(
+      'div',
+      {},
+      placeText(this.data, cut.angle_deg[place]),
+      el('br'),
+      `${sigmaText(this.sigma(row))} m²`,
+      el('br'),
+      `${dbText(dbsm(this.sigma(row)))} dBsm`,
+    );
   }
 
   mark() {
     const { cut, place, row } = this.aspect;
     const height = this.stacked ? this.sigma(row) : this.decibels.height(this.sigma(row));
     const at = this.chart.convertToPixel({ gridIndex: 0 }, [cut.angle_deg[place], height]);
-    const top = this.chart.convertToPixel({ gridIndex: 0 }, [cut.angle_deg[place], this.stacked ? 0 : this.decibels.min])[1];
+    const top = this.chart.convertToPixel({ gridIndex: 0 }, [
+      cut.angle_deg[place],
+      this.stacked ? 0 : this.decibels.min,
+    ])[1];
     this.markerAt = at;
     const font = chartFontPx();
     this.layer.replaceChildren(
@@ -169,8 +225,10 @@ export class SweepPlot {
     const { cut, row, place } = this.aspect;
     const order = cut.rows.map((_, i) => i).sort((a, b) => this.sigma(cut.rows[a]) - this.sigma(cut.rows[b]));
     const said = (i) => `${dbText(dbsm(this.sigma(cut.rows[i])))} dBsm at ${placeText(this.data, cut.angle_deg[i])}`;
-    return `Plot of LRCS against ${axisText(this.data)}, ${cut.label}: largest ${said(order[order.length - 1])}, ` +
-      `smallest ${said(order[0])}; marked: ${placeText(this.data, cut.angle_deg[place])}, ${sigmaText(this.sigma(row))} m².`;
+    return (
+      `Plot of LRCS against ${axisText(this.data)}, ${cut.label}: largest ${said(order[order.length - 1])}, ` +
+      `smallest ${said(order[0])}; marked: ${placeText(this.data, cut.angle_deg[place])}, ${sigmaText(this.sigma(row))} m².`
+    );
   }
 
   jump(x, y) {

@@ -18,7 +18,9 @@ export class TargetPanel {
 
   get state() {
     return {
-      colouring: this.parts.colouring.value, floorDb: this.floorDb, webgl: Boolean(this.view),
+      colouring: this.parts.colouring.value,
+      floorDb: this.floorDb,
+      webgl: Boolean(this.view),
       colouredRow: this.stored < 0 ? -1 : this.data.shown.stored_rows[this.stored],
     };
   }
@@ -29,7 +31,10 @@ export class TargetPanel {
 
   start(readFacets) {
     const context = makeContext(this.parts.canvas);
-    if (!context) return this.refuse('This browser shows no WebGL 2, so the target cannot be drawn. All numbers and plots are here.');
+    if (!context)
+      return this.refuse(
+        'This browser shows no WebGL 2, so the target cannot be drawn. All numbers and plots are here.',
+      );
     const view = new TargetView(this.parts.canvas, this.parts.overlay, context);
     try {
       this.facets = readFacets();
@@ -42,7 +47,8 @@ export class TargetPanel {
     view.setFacets(this.facets);
     this.addButtons();
     this.followPointer();
-    for (const choice of [this.parts.colouring, this.parts.floor]) choice.addEventListener('change', () => this.paint());
+    for (const choice of [this.parts.colouring, this.parts.floor])
+      choice.addEventListener('change', () => this.paint());
     this.aspect.follow(() => this.onAspect());
     this.selection.follow(() => this.view.select(this.selection.part));
     this.onAspect();
@@ -69,14 +75,23 @@ export class TargetPanel {
     const button = (label, act) => el('button', { type: 'button', onclick: act }, label);
     const looks = this.aspect.monostatic
       ? [button('Look from the sensor', lookFrom('transmitter'))]
-      : [button('Look from the transmitter', lookFrom('transmitter')), button('Look from the receiver', lookFrom('receiver'))];
-    this.parts.buttons.replaceChildren(...looks, button('Reset view', () => this.view.reset()));
+      : [
+          button('Look from the transmitter', lookFrom('transmitter')),
+          button('Look from the receiver', lookFrom('receiver')),
+        ];
+    this.parts.buttons.replaceChildren(
+      ...looks,
+      button('Reset view', () => this.view.reset()),
+    );
   }
 
   followPointer() {
     const { canvas } = this.parts;
     let down = null;
-    canvas.addEventListener('pointerdown', (event) => (down = { x: event.clientX, y: event.clientY, at: event.timeStamp }));
+    canvas.addEventListener(
+      'pointerdown',
+      (event) => (down = { x: event.clientX, y: event.clientY, at: event.timeStamp }),
+    );
     canvas.addEventListener('pointerup', (event) => {
       if (!down || event.timeStamp - down.at > clickMs) return;
       if (Math.hypot(event.clientX - down.x, event.clientY - down.y) > clickPx) return;
@@ -97,9 +112,14 @@ export class TargetPanel {
   onAspect() {
     const { rows } = this.data;
     const { transmitter, receiver } = directionsOf(rows, this.aspect.row);
-    this.view.setSensors(this.aspect.monostatic
-      ? [{ direction: transmitter, label: 'sensor' }]
-      : [{ direction: transmitter, label: 'transmitter' }, { direction: receiver, label: 'receiver' }]);
+    this.view.setSensors(
+      this.aspect.monostatic
+        ? [{ direction: transmitter, label: 'sensor' }]
+        : [
+            { direction: transmitter, label: 'transmitter' },
+            { direction: receiver, label: 'receiver' },
+          ],
+    );
     const stored = nearestStored(this.data, this.aspect.row);
     if (stored !== this.stored && this.showsReturn) {
       this.stored = stored;
@@ -127,13 +147,19 @@ export class TargetPanel {
     const row = stored < 0 ? -1 : data.shown.stored_rows[stored];
     const said = [];
     if (this.showsReturn && row < 0) said.push('No facet colours are stored in this report.');
-    else if (this.showsReturn && row !== this.aspect.row) said.push(`Facet colours: ${this.storedText(row)}, the nearest that is stored.`);
+    else if (this.showsReturn && row !== this.aspect.row)
+      said.push(`Facet colours: ${this.storedText(row)}, the nearest that is stored.`);
     if (data.shown.facets < data.target.facets) {
-      said.push(`Drawn with ${countText(data.shown.facets)} facets, each for a group of the target's ${countText(data.target.facets)}.`);
+      said.push(
+        `Drawn with ${countText(data.shown.facets)} facets, each for a group of the target's ${countText(data.target.facets)}.`,
+      );
     }
     this.parts.note.textContent = said.join(' ');
-    this.parts.canvas.setAttribute('aria-label', `The target in 3-D, coloured by ${this.parts.colouring.selectedOptions[0].text}. ` +
-      'Arrow keys turn it, with Shift they move it, plus and minus zoom, 0 resets.');
+    this.parts.canvas.setAttribute(
+      'aria-label',
+      `The target in 3-D, coloured by ${this.parts.colouring.selectedOptions[0].text}. ` +
+        'Arrow keys turn it, with Shift they move it, plus and minus zoom, 0 resets.',
+    );
   }
 
   storedText(row) {

@@ -1,7 +1,17 @@
 // The target in 3-D, seen in parallel projection as a far sensor sees it.
 import {
-  BufferAttribute, BufferGeometry, ColorManagement, LinearSRGBColorSpace, LineBasicMaterial, LineSegments,
-  OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  BufferAttribute,
+  BufferGeometry,
+  ColorManagement,
+  LinearSRGBColorSpace,
+  LineBasicMaterial,
+  LineSegments,
+  OrthographicCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { direction } from './aspect.js';
@@ -66,7 +76,9 @@ export class TargetView {
   addCreases() {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(creaseLines(this.facets), 3));
-    this.scene.add(new LineSegments(geometry, new LineBasicMaterial({ color: 0x000000, opacity: 0.6, transparent: true })));
+    this.scene.add(
+      new LineSegments(geometry, new LineBasicMaterial({ color: 0x000000, opacity: 0.6, transparent: true })),
+    );
     this.redrawSoon();
   }
 
@@ -95,7 +107,9 @@ export class TargetView {
 
   corners() {
     const { min, max } = this.box;
-    return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+    return [0, 1, 2, 3, 4, 5, 6, 7].map(
+      (k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z),
+    );
   }
 
   // The target as large as leaves room for arrows and axes.

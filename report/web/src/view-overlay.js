@@ -7,7 +7,7 @@ export function drawOverlay(view) {
   const unit = rootFontPx();
   view.overlay.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
   view.overlay.replaceChildren(
-    ...view.sensors.map((sensor) => sensorArrow(view, sensor, unit)),
+    ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, k, unit)),
     axesTriad(view, unit),
   );
 }
@@ -16,12 +16,12 @@ function inView(view, vector) {
   return new Vector3(...vector).transformDirection(view.camera.matrixWorldInverse);
 }
 
-function sensorArrow(view, { direction, label }, unit) {
+function sensorArrow(view, { direction, label }, k, unit) {
   const reach = view.reach(new Vector3(...direction));
   const at = (distance) => view.project(new Vector3(...direction).multiplyScalar(distance).add(view.centre));
   const toward = inView(view, direction);
-  // Along the line of sight an arrow is a point: the usual signs for out of and into the page.
-  if (Math.hypot(toward.x, toward.y) < 0.1) return endOnArrow(at(0), toward.z > 0, label, unit);
+  // Along the line of sight an arrow is a point: the usual signs for out of and into the page, in the corner.
+  if (Math.hypot(toward.x, toward.y) < 0.1) return endOnArrow(k, toward.z > 0, label, unit);
   const [from, to] = [at(reach + 0.02 * view.radius), at(reach + 0.27 * view.radius)];
   const group = svg('g', {});
   const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
@@ -41,19 +41,40 @@ function sensorArrow(view, { direction, label }, unit) {
   return group;
 }
 
-function endOnArrow([x, y], towardViewer, label, unit) {
-  const radius = 0.55 * unit;
+function endOnArrow(k, towardViewer, label, unit) {
+  const radius = 0.5 * unit;
+  const [x, y] = [1.2 * unit, (1.2 + 1.5 * k) * unit];
   const circle = { cx: x, cy: y, r: radius, fill: '#fff', stroke: ink, 'stroke-width': 2 };
   const d = 0.7 * radius;
   const sign = towardViewer
     ? svg('circle', { cx: x, cy: y, r: 0.25 * radius, fill: ink })
-    : svg('path', { d: `M${x - d},${y - d}L${x + d},${y + d}M${x - d},${y + d}L${x + d},${y - d}`, stroke: ink, 'stroke-width': 2 });
-  return svg('g', {}, svg('circle', circle), sign, text(x + 1.6 * radius, y + 0.35 * unit, label, ink, 'start'));
+    : svg('path', {
+        d: `M${x - d},${y - d}L${x + d},${y + d}M${x - d},${y + d}L${x + d},${y - d}`,
+        stroke: ink,
+        'stroke-width': 2,
+      });
+  return svg(
+    'g',
+    {},
+    svg('circle', circle),
+    sign,
+    text(
+      x + 1.6 * radius,
+      y + 0.3 * unit,
+      `${label}, ${towardViewer ? 'where you look from' : 'on the far side'}`,
+      ink,
+      'start',
+    ),
+  );
 }
 
 function axesTriad(view, unit) {
-  const origin = [5.6 * unit, view.height - 3.4 * unit];
-  const axes = [['x', [1, 0, 0], 'x forward'], ['y', [0, 1, 0], 'y'], ['z', [0, 0, 1], 'z']];
+  const origin = [6.5 * unit, view.height - 3.4 * unit];
+  const axes = [
+    ['x', [1, 0, 0], 'x forward'],
+    ['y', [0, 1, 0], 'y'],
+    ['z', [0, 0, 1], 'z'],
+  ];
   const drawn = axes.map(([name, axis, label]) => ({ name, label, seen: inView(view, axis) }));
   drawn.sort((a, b) => a.seen.z - b.seen.z);
   const group = svg('g', {});

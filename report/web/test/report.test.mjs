@@ -10,7 +10,14 @@ import { chromium } from 'playwright-core';
 import { fill, samples } from './sample.mjs';
 
 const project = fileURLToPath(new URL('..', import.meta.url));
-const quiet = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const quiet = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
 const softwareGl = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const desktop = { width: 1440, height: 900 };
@@ -87,7 +94,15 @@ async function placeOfPart(page, part) {
 
 test('the template holds the marker once, the licences, and asks for nothing outside', () => {
   assert.equal(template.split('<!-- lrcs:data -->').length, 2);
-  for (const words of ['three', 'echarts', 'zrender', 'fflate', 'Apache License', 'MIT License', 'Apache ECharts\nCopyright']) {
+  for (const words of [
+    'three',
+    'echarts',
+    'zrender',
+    'fflate',
+    'Apache License',
+    'MIT License',
+    'Apache ECharts\nCopyright',
+  ]) {
     assert.ok(template.includes(words), words);
   }
   assert.ok(template.includes("default-src 'none'"));
@@ -96,213 +111,270 @@ test('the template holds the marker once, the licences, and asks for nothing out
   console.log(`template: ${template.length} bytes`);
 });
 
-test('the slider moves colours and markers', () => withReport('satellite', async ({ page, data }) => {
-  await page.waitForTimeout(300);
-  const before = await stateOf(page);
-  const picture = await pictureOf(page);
-  await page.locator('#slider').fill('18');
-  const now = await stateOf(page);
-  assert.equal(now.row, 18);
-  assert.equal(now.colouredRow, 18);
-  assert.notDeepEqual(now.markers.sweep, before.markers.sweep);
-  assert.notDeepEqual(now.markers.polar, before.markers.polar);
-  assert.notEqual(await pictureOf(page), picture);
-  assert.match(await page.locator('#result').innerText(), new RegExp(data.rows.sigma_m2[18].toPrecision(6).replace('.', '\\.')));
-  assert.match(await page.locator('#slider').getAttribute('aria-valuetext'), /^azimuth 90°: LRCS /);
-}));
+test('the slider moves colours and markers', () =>
+  withReport('satellite', async ({ page, data }) => {
+    await page.waitForTimeout(300);
+    const before = await stateOf(page);
+    const picture = await pictureOf(page);
+    await page.locator('#slider').fill('18');
+    const now = await stateOf(page);
+    assert.equal(now.row, 18);
+    assert.equal(now.colouredRow, 18);
+    assert.notDeepEqual(now.markers.sweep, before.markers.sweep);
+    assert.notDeepEqual(now.markers.polar, before.markers.polar);
+    assert.notEqual(await pictureOf(page), picture);
+    assert.match(
+      await page.locator('#result').innerText(),
+      new RegExp(data.rows.sigma_m2[18].toPrecision(6).replace('.', '\\.')),
+    );
+    assert.match(await page.locator('#slider').getAttribute('aria-valuetext'), /^azimuth 90°: LRCS /);
+  }));
 
-test('keys move the slider, and turn the target', () => withReport('satellite', async ({ page }) => {
-  await page.locator('#slider').focus();
-  const row = () => page.evaluate(() => window.lrcs.row());
-  const after = async (key) => (await page.keyboard.press(key), row());
-  assert.equal(await after('ArrowRight'), 1);
-  assert.equal(await after('End'), 72);
-  assert.ok((await after('PageDown')) < 72);
-  assert.equal(await after('Home'), 0);
-  const paged = await after('PageUp');
-  assert.ok(paged > 1);
-  assert.equal(await after('ArrowLeft'), paged - 1);
-  await page.waitForTimeout(300);
-  const picture = await pictureOf(page);
-  await page.locator('#target').focus();
-  for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Shift+ArrowUp']) await page.keyboard.press(key);
-  const turned = await pictureOf(page);
-  assert.notEqual(turned, picture);
-  await page.keyboard.press('0');
-  assert.notEqual(await pictureOf(page), turned);
-}));
+test('keys move the slider, and turn the target', () =>
+  withReport('satellite', async ({ page }) => {
+    await page.locator('#slider').focus();
+    const row = () => page.evaluate(() => window.lrcs.row());
+    const after = async (key) => (await page.keyboard.press(key), row());
+    assert.equal(await after('ArrowRight'), 1);
+    assert.equal(await after('End'), 72);
+    assert.ok((await after('PageDown')) < 72);
+    assert.equal(await after('Home'), 0);
+    const paged = await after('PageUp');
+    assert.ok(paged > 1);
+    assert.equal(await after('ArrowLeft'), paged - 1);
+    await page.waitForTimeout(300);
+    const picture = await pictureOf(page);
+    await page.locator('#target').focus();
+    for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Shift+ArrowUp']) await page.keyboard.press(key);
+    const turned = await pictureOf(page);
+    assert.notEqual(turned, picture);
+    await page.keyboard.press('0');
+    assert.notEqual(await pictureOf(page), turned);
+  }));
 
-test('a click in a plot goes to that aspect', () => withReport('satellite', async ({ page }) => {
-  const goTo = async (row, plot, host) => {
-    await page.evaluate((k) => window.lrcs.setRow(k), row);
-    const [x, y] = (await stateOf(page)).markers[plot];
-    await page.evaluate(() => window.lrcs.setRow(0));
-    await page.locator(host).scrollIntoViewIfNeeded();
-    await page.locator(host).click({ position: { x, y } });
-    assert.equal((await stateOf(page)).row, row);
-  };
-  await goTo(30, 'sweep', '#sweep-plot');
-  await goTo(50, 'polar', '#polar-plot');
-  await page.locator('#stacked').check();
-  await goTo(12, 'sweep', '#sweep-plot');
-  assert.equal(await page.locator('#sweep-legend li').count(), 11);
-}));
+test('a click in a plot goes to that aspect', () =>
+  withReport('satellite', async ({ page }) => {
+    const goTo = async (row, plot, host) => {
+      await page.evaluate((k) => window.lrcs.setRow(k), row);
+      const [x, y] = (await stateOf(page)).markers[plot];
+      await page.evaluate(() => window.lrcs.setRow(0));
+      await page.locator(host).scrollIntoViewIfNeeded();
+      await page.locator(host).click({ position: { x, y } });
+      assert.equal((await stateOf(page)).row, row);
+    };
+    await goTo(30, 'sweep', '#sweep-plot');
+    await goTo(50, 'polar', '#polar-plot');
+    await page.locator('#stacked').check();
+    await goTo(12, 'sweep', '#sweep-plot');
+    assert.equal(await page.locator('#sweep-legend li').count(), 11);
+  }));
 
-test('a click on a facet marks its part and says its number', () => withReport('satellite', async ({ page, data }) => {
-  await page.evaluate(() => window.lrcs.setRow(7));
-  const [x, y] = await placeOfPart(page, 6);
-  await page.keyboard.press('Escape');
-  assert.equal((await stateOf(page)).part, -1);
-  const picture = await pictureOf(page);
-  await page.locator('#target').click({ position: { x, y } });
-  const state = await stateOf(page);
-  assert.equal(state.part, 6);
-  assert.ok(state.facet >= 0);
-  assert.notEqual(await pictureOf(page), picture);
-  assert.equal(Number(await page.locator('#facet-facts [data-sigma]').getAttribute('data-sigma')), data.part_sigma_m2[7][6]);
-  const card = await page.locator('#facet-facts').innerText();
-  for (const words of ['antenna/dish', String(data.part_sigma_m2[7][6]), 'white Lambertian', 'of the facet']) assert.ok(card.includes(words), words);
-  assert.match(await page.locator('#parts tr.selected').innerText(), /antenna\/dish/);
-  // Row 7 has no facets stored: the colours are those of row 6 or 8, and the page says so.
-  assert.match(await page.locator('#view-note').innerText(), /^Facet colours: azimuth (30|40)°/);
-}));
+test('a click on a facet marks its part and says its number', () =>
+  withReport('satellite', async ({ page, data }) => {
+    await page.evaluate(() => window.lrcs.setRow(7));
+    const [x, y] = await placeOfPart(page, 6);
+    await page.keyboard.press('Escape');
+    assert.equal((await stateOf(page)).part, -1);
+    const picture = await pictureOf(page);
+    await page.locator('#target').click({ position: { x, y } });
+    const state = await stateOf(page);
+    assert.equal(state.part, 6);
+    assert.ok(state.facet >= 0);
+    assert.notEqual(await pictureOf(page), picture);
+    assert.equal(
+      Number(await page.locator('#facet-facts [data-sigma]').getAttribute('data-sigma')),
+      data.part_sigma_m2[7][6],
+    );
+    const card = await page.locator('#facet-facts').innerText();
+    for (const words of ['antenna/dish', String(data.part_sigma_m2[7][6]), 'white Lambertian', 'of the facet'])
+      assert.ok(card.includes(words), words);
+    assert.match(await page.locator('#parts tr.selected').innerText(), /antenna\/dish/);
+    // Row 7 has no facets stored: the colours are those of row 6 or 8, and the page says so.
+    assert.match(await page.locator('#view-note').innerText(), /^Facet colours: azimuth (30|40)°/);
+  }));
 
-test('a click in the table marks the part on the target', () => withReport('satellite', async ({ page }) => {
-  await page.waitForTimeout(300);
-  const picture = await pictureOf(page);
-  await page.locator('#parts tbody tr').nth(2).click();
-  const { part } = await stateOf(page);
-  assert.equal(String(part), await page.locator('#parts tbody tr').nth(2).getAttribute('data-part'));
-  assert.notEqual(await pictureOf(page), picture);
-  await page.locator('#parts tbody button').nth(2).press('Enter');
-  assert.equal((await stateOf(page)).part, -1);
-}));
+test('a click in the table marks the part on the target', () =>
+  withReport('satellite', async ({ page }) => {
+    await page.waitForTimeout(300);
+    const picture = await pictureOf(page);
+    await page.locator('#parts tbody tr').nth(2).click();
+    const { part } = await stateOf(page);
+    assert.equal(String(part), await page.locator('#parts tbody tr').nth(2).getAttribute('data-part'));
+    assert.notEqual(await pictureOf(page), picture);
+    await page.locator('#parts tbody button').nth(2).press('Enter');
+    assert.equal((await stateOf(page)).part, -1);
+  }));
 
-test('the table sums to the total, short and long', () => withReport('parts', async ({ page, data }) => {
-  await page.evaluate(() => window.lrcs.setRow(5));
-  const sums = () => page.evaluate(() => [...document.querySelectorAll('#parts tbody tr td:nth-child(2)')].reduce((a, cell) => a + parseFloat(cell.title), 0));
-  assert.equal(await page.locator('#parts tbody tr').count(), 11);
-  close(await sums(), data.rows.sigma_m2[5]);
-  await page.locator('#all-parts').click();
-  assert.equal(await page.locator('#parts tbody tr').count(), 1000);
-  close(await sums(), data.rows.sigma_m2[5]);
-  const total = page.locator('#parts tfoot td').first();
-  assert.equal(parseFloat(await total.getAttribute('title')), data.rows.sigma_m2[5]);
-  assert.equal(numberIn(await total.innerText()), Number(data.rows.sigma_m2[5].toPrecision(6)));
-}));
+test('the table sums to the total, short and long', () =>
+  withReport('parts', async ({ page, data }) => {
+    await page.evaluate(() => window.lrcs.setRow(5));
+    const sums = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll('#parts tbody tr td:nth-child(2)')].reduce(
+          (a, cell) => a + parseFloat(cell.title),
+          0,
+        ),
+      );
+    assert.equal(await page.locator('#parts tbody tr').count(), 11);
+    close(await sums(), data.rows.sigma_m2[5]);
+    await page.locator('#all-parts').click();
+    assert.equal(await page.locator('#parts tbody tr').count(), 1000);
+    close(await sums(), data.rows.sigma_m2[5]);
+    const total = page.locator('#parts tfoot td').first();
+    assert.equal(parseFloat(await total.getAttribute('title')), data.rows.sigma_m2[5]);
+    assert.equal(numberIn(await total.innerText()), Number(data.rows.sigma_m2[5].toPrecision(6)));
+  }));
 
 async function saved(page, button) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
 }
 
-test('the files saved are the sweep and its parts', () => withReport('satellite', async ({ page, data }) => {
-  assert.deepEqual(await saved(page, '#save-sweep'), { name: 'sweep.csv', text: data.csv });
-  const parts = await saved(page, '#save-parts');
-  assert.equal(parts.name, 'parts.csv');
-  const lines = parts.text.trimEnd().split('\n').slice(1);
-  assert.deepEqual(lines.map((line) => line.split(',').slice(5).map(Number)), data.part_sigma_m2);
-}));
+test('the files saved are the sweep and its parts', () =>
+  withReport('satellite', async ({ page, data }) => {
+    assert.deepEqual(await saved(page, '#save-sweep'), { name: 'sweep.csv', text: data.csv });
+    const parts = await saved(page, '#save-parts');
+    assert.equal(parts.name, 'parts.csv');
+    const lines = parts.text.trimEnd().split('\n').slice(1);
+    assert.deepEqual(
+      lines.map((line) => line.split(',').slice(5).map(Number)),
+      data.part_sigma_m2,
+    );
+  }));
 
-test('two angles: cuts and the map', () => withReport('both', async ({ page, data }) => {
-  assert.equal(await page.locator('#cut option').count(), 9);
-  await page.locator('#cut').selectOption('6');
-  let state = await stateOf(page);
-  assert.equal(data.rows.transmitter_elevation_deg[state.row], 20);
-  await page.evaluate(() => window.lrcs.setRow(100));
-  const [x, y] = (await stateOf(page)).markers.heat;
-  await page.evaluate(() => window.lrcs.setRow(400));
-  await page.locator('#heat-map').scrollIntoViewIfNeeded();
-  await page.locator('#heat-map').click({ position: { x, y } });
-  state = await stateOf(page);
-  assert.equal(state.row, 100);
-  assert.equal(state.cut, 1);
-}));
+test('two angles: cuts and the map', () =>
+  withReport('both', async ({ page, data }) => {
+    assert.equal(await page.locator('#cut option').count(), 9);
+    await page.locator('#cut').selectOption('6');
+    let state = await stateOf(page);
+    assert.equal(data.rows.transmitter_elevation_deg[state.row], 20);
+    await page.evaluate(() => window.lrcs.setRow(100));
+    const [x, y] = (await stateOf(page)).markers.heat;
+    await page.evaluate(() => window.lrcs.setRow(400));
+    await page.locator('#heat-map').scrollIntoViewIfNeeded();
+    await page.locator('#heat-map').click({ position: { x, y } });
+    state = await stateOf(page);
+    assert.equal(state.row, 100);
+    assert.equal(state.cut, 1);
+  }));
 
-test('two sensors, a bound that is seen, a warning', () => withReport('bistatic', async ({ page }) => {
-  assert.match(await page.locator('#directions').innerText(), /^Transmitter at azimuth 0°, elevation 10°; receiver at azimuth 40°, elevation 0°\.$/);
-  assert.match(await page.locator('#sweep-legend').innerText(), /bound of the error/);
-  assert.match(await page.locator('#warnings').innerText(), /10 %/);
-  for (const label of ['transmitter', 'receiver']) await page.getByRole('button', { name: `Look from the ${label}` }).click();
-}));
+test('two sensors, a bound that is seen, a warning', () =>
+  withReport('bistatic', async ({ page }) => {
+    assert.match(
+      await page.locator('#directions').innerText(),
+      /^Transmitter at azimuth 0°, elevation 10°; receiver at azimuth 40°, elevation 0°\.$/,
+    );
+    assert.match(await page.locator('#sweep-legend').innerText(), /bound of the error/);
+    assert.match(await page.locator('#warnings').innerText(), /10 %/);
+    for (const label of ['transmitter', 'receiver'])
+      await page.getByRole('button', { name: `Look from the ${label}` }).click();
+  }));
 
-test('names are text', () => withReport('nasty', async ({ page, data }) => {
-  await page.locator('#all-parts').click();
-  const shown = await page.locator('#parts tbody th').allInnerTexts();
-  for (const { name } of data.parts) assert.ok(shown.includes(name === '' ? '(no name)' : name), name);
-  assert.equal(await page.locator('h1').innerText(), data.title);
-  assert.equal(await page.locator('#parts img, h1 b, #warnings script').count(), 0);
-  await page.locator('#stacked').check();
-  await page.evaluate(() => window.lrcs.setRow(3));
-  const { text } = await saved(page, '#save-parts');
-  assert.ok(text.includes('"sigma_m2 of <img src=x onerror=alert(2)> ""double"" \'single\', comma"'));
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), desktop.width);
-}, { viewport: desktop }));
+test('names are text', () =>
+  withReport(
+    'nasty',
+    async ({ page, data }) => {
+      await page.locator('#all-parts').click();
+      const shown = await page.locator('#parts tbody th').allInnerTexts();
+      for (const { name } of data.parts) assert.ok(shown.includes(name === '' ? '(no name)' : name), name);
+      assert.equal(await page.locator('h1').innerText(), data.title);
+      assert.equal(await page.locator('#parts img, h1 b, #warnings script').count(), 0);
+      await page.locator('#stacked').check();
+      await page.evaluate(() => window.lrcs.setRow(3));
+      const { text } = await saved(page, '#save-parts');
+      assert.ok(text.includes('"sigma_m2 of <img src=x onerror=alert(2)> ""double"" \'single\', comma"'));
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), desktop.width);
+    },
+    { viewport: desktop },
+  ));
 
-test('LRCS of 0', () => withReport('zero', async ({ page }) => {
-  await page.evaluate(() => window.lrcs.setRow(10));
-  assert.match(await page.locator('#result').innerText(), /LRCS 0 m² \(\u2212∞ dBsm\)/);
-  assert.match(await page.locator('#sweep-note').innerText(), /^Floor of the plot: /);
-}));
+test('LRCS of 0', () =>
+  withReport('zero', async ({ page }) => {
+    await page.evaluate(() => window.lrcs.setRow(10));
+    assert.match(await page.locator('#result').innerText(), /LRCS 0 m² \(\u2212∞ dBsm\)/);
+    assert.match(await page.locator('#sweep-note').innerText(), /^Floor of the plot: /);
+  }));
 
 for (const name of ['dark', 'single', 'listed', 'elevation']) {
-  test(`opens: ${name}`, () => withReport(name, async ({ page, data }) => {
-    const last = data.rows.sigma_m2.length - 1;
-    await page.evaluate((row) => window.lrcs.setRow(row), last);
-    assert.equal((await stateOf(page)).row, last);
-    await page.locator('#stacked').check();
-    for (const choice of ['seen', 'part', 'material']) await page.locator('#colouring').selectOption(choice);
-    for (const plot of await page.locator('.brdf').all()) await plot.scrollIntoViewIfNeeded();
-  }));
+  test(`opens: ${name}`, () =>
+    withReport(name, async ({ page, data }) => {
+      const last = data.rows.sigma_m2.length - 1;
+      await page.evaluate((row) => window.lrcs.setRow(row), last);
+      assert.equal((await stateOf(page)).row, last);
+      await page.locator('#stacked').check();
+      for (const choice of ['seen', 'part', 'material']) await page.locator('#colouring').selectOption(choice);
+      for (const plot of await page.locator('.brdf').all()) await plot.scrollIntoViewIfNeeded();
+    }));
 }
 
 for (const width of [360, 768, 1440, 3840]) {
   test(`fits a width of ${width}`, async () => {
     for (const name of ['satellite', 'nasty']) {
-      await withReport(name, async ({ page }) => {
-        const needed = await page.evaluate(() => document.documentElement.scrollWidth);
-        assert.ok(needed <= width, `${name} needs ${needed}`);
-      }, { viewport: { width, height: 900 } });
+      await withReport(
+        name,
+        async ({ page }) => {
+          const needed = await page.evaluate(() => document.documentElement.scrollWidth);
+          assert.ok(needed <= width, `${name} needs ${needed}`);
+        },
+        { viewport: { width, height: 900 } },
+      );
     }
   });
 }
 
-test('colours are those of the colour bar', () => withReport('satellite', async ({ page }) => {
-  await page.evaluate(() => window.lrcs.setRow(0));
-  const yellow = await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => {
-    const view = document.getElementById('target');
-    const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [view.width, view.height];
-    copy.getContext('2d').drawImage(view, 0, 0);
-    const { data } = copy.getContext('2d').getImageData(0, 0, copy.width, copy.height);
-    let count = 0;
-    for (let k = 0; k < data.length; k += 4) if (data[k] === 0xfd && data[k + 1] === 0xe7 && data[k + 2] === 0x25) ++count;
-    done(count);
-  })));
-  assert.ok(yellow > 20, `${yellow} pixels of the brightest colour`);
-}));
+test('colours are those of the colour bar', () =>
+  withReport('satellite', async ({ page }) => {
+    await page.evaluate(() => window.lrcs.setRow(0));
+    const yellow = await page.evaluate(
+      () =>
+        new Promise((done) =>
+          requestAnimationFrame(() => {
+            const view = document.getElementById('target');
+            const copy = document.createElement('canvas');
+            [copy.width, copy.height] = [view.width, view.height];
+            copy.getContext('2d').drawImage(view, 0, 0);
+            const { data } = copy.getContext('2d').getImageData(0, 0, copy.width, copy.height);
+            let count = 0;
+            for (let k = 0; k < data.length; k += 4)
+              if (data[k] === 0xfd && data[k + 1] === 0xe7 && data[k + 2] === 0x25) ++count;
+            done(count);
+          }),
+        ),
+    );
+    assert.ok(yellow > 20, `${yellow} pixels of the brightest colour`);
+  }));
 
-test('50,000 facets: size and time', () => withReport('large', async ({ page, data, path, ready }) => {
-  const bytes = statSync(path).size;
-  console.log(`${data.shown.facets} facets, ${data.shown.stored_rows.length} rows: ${bytes} bytes, first picture after ${Math.round(ready.firstPictureMs)} ms`);
-  assert.ok(data.shown.facets >= 50000 && bytes <= 8 << 20);
-  assert.ok(ready.firstPictureMs < 4000);
-  assert.match(await page.locator('#view-note').innerText(), /each for a group of the target's 1,234,567/);
-  const picked = await page.evaluate(() => window.lrcs.setRow(77) ?? window.lrcs.pick(360, 300));
-  if (picked) assert.equal(picked.sigma_m2, data.part_sigma_m2[77][picked.part]);
-}));
+test('50,000 facets: size and time', () =>
+  withReport('large', async ({ page, data, path, ready }) => {
+    const bytes = statSync(path).size;
+    console.log(
+      `${data.shown.facets} facets, ${data.shown.stored_rows.length} rows: ${bytes} bytes, first picture after ${Math.round(ready.firstPictureMs)} ms`,
+    );
+    assert.ok(data.shown.facets >= 50000 && bytes <= 8 << 20);
+    assert.ok(ready.firstPictureMs < 4000);
+    assert.match(await page.locator('#view-note').innerText(), /each for a group of the target's 1,234,567/);
+    const picked = await page.evaluate(() => window.lrcs.setRow(77) ?? window.lrcs.pick(360, 300));
+    if (picked) assert.equal(picked.sigma_m2, data.part_sigma_m2[77][picked.part]);
+  }));
 
 test('without WebGL the rest works', async () => {
-  const from = await chromium.launch({ executablePath, args: [...quiet, '--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'] });
+  const from = await chromium.launch({
+    executablePath,
+    args: [...quiet, '--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'],
+  });
   try {
-    await withReport('satellite', async ({ page }) => {
-      assert.equal((await stateOf(page)).webgl, false);
-      assert.match(await page.locator('#no-view').innerText(), /WebGL/);
-      await page.locator('#slider').fill('9');
-      assert.equal((await stateOf(page)).row, 9);
-      await page.locator('#parts tbody tr').first().click();
-      assert.match(await page.locator('#facet-facts').innerText(), /LRCS of the part/);
-    }, { from });
+    await withReport(
+      'satellite',
+      async ({ page }) => {
+        assert.equal((await stateOf(page)).webgl, false);
+        assert.match(await page.locator('#no-view').innerText(), /WebGL/);
+        await page.locator('#slider').fill('9');
+        assert.equal((await stateOf(page)).row, 9);
+        await page.locator('#parts tbody tr').first().click();
+        assert.match(await page.locator('#facet-facts').innerText(), /LRCS of the part/);
+      },
+      { from },
+    );
   } finally {
     await from.close();
   }

@@ -6,8 +6,25 @@ export function addBox(mesh, centre, size, part, material) {
   for (let k = 0; k < 8; ++k) {
     for (let i = 0; i < 3; ++i) mesh.positions.push(centre[i] + ((k >> i) & 1 ? 0.5 : -0.5) * size[i]);
   }
-  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-  for (const [a, b, c, d] of faces) addFacets(mesh, [[a, b, c], [a, c, d]], first, part, material);
+  const faces = [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ];
+  for (const [a, b, c, d] of faces)
+    addFacets(
+      mesh,
+      [
+        [a, b, c],
+        [a, c, d],
+      ],
+      first,
+      part,
+      material,
+    );
 }
 
 export function addSphere(mesh, centre, radius, rings, part, material, bulge = () => 1) {
@@ -20,8 +37,11 @@ export function addSphere(mesh, centre, radius, rings, part, material, bulge = (
   };
   const point = (polar, azimuth) => {
     const r = radius * bulge(polar, azimuth);
-    mesh.positions.push(centre[0] + r * Math.sin(polar) * Math.cos(azimuth), centre[1] + r * Math.sin(polar) * Math.sin(azimuth),
-      centre[2] + r * Math.cos(polar));
+    mesh.positions.push(
+      centre[0] + r * Math.sin(polar) * Math.cos(azimuth),
+      centre[1] + r * Math.sin(polar) * Math.sin(azimuth),
+      centre[2] + r * Math.cos(polar),
+    );
   };
   point(0, 0);
   point(Math.PI, 0);
