@@ -52,8 +52,8 @@ const countSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
 
 // Limits at multiples of a step that leaves room for the labels.
 export function angleRange(angles, widthPx, counted) {
-  const low = Math.min(...angles);
-  const high = Math.max(...angles);
+  const low = angles.reduce((a, b) => Math.min(a, b), Infinity);
+  const high = angles.reduce((a, b) => Math.max(a, b), -Infinity);
   const room = Math.max(widthPx / (3.6 * chartFontPx()), 2);
   const steps = counted ? countSteps : angleSteps;
   const interval = steps.find((step) => (high - low) / step <= room) ?? steps[steps.length - 1];

@@ -4,6 +4,8 @@ import { nameOf, partsAt } from './part-ranking.js';
 import { dbText, dbsm, shareText, sigmaText } from './sigma.js';
 
 const shortest = 10;
+// Sums in another order differ by this at most.
+const roundOff = 1e-9;
 
 export class PartTable {
   constructor(table, toggle, data, aspect, selection, ranking) {
@@ -46,8 +48,14 @@ export class PartTable {
       );
     }
     this.table.tBodies[0].replaceChildren(...rows);
-    const sum = el('tr', {}, el('th', { scope: 'row' }, 'sum of all parts = total'), ...this.numbers(total, total));
-    this.table.tFoot.replaceChildren(sum);
+    const closing = (label, value) => el('tr', {}, el('th', { scope: 'row' }, label), ...this.numbers(value, total));
+    const summed = sigma.reduce((a, b) => a + b, 0);
+    const agree = Math.abs(summed - total) <= roundOff * total;
+    this.table.tFoot.replaceChildren(
+      ...(agree
+        ? [closing('sum of all parts = total', total)]
+        : [closing('sum of all parts', summed), closing('total of the sweep', total)]),
+    );
     this.toggle.textContent = this.all ? `Show the ${shortest} strongest` : `Show all ${this.data.parts.length} parts`;
     this.toggle.setAttribute('aria-expanded', String(this.all));
     this.markSelected();

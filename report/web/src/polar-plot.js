@@ -1,5 +1,5 @@
 // LRCS in dBsm around the target: azimuths as seen from above with the nose up, elevations with +z up.
-import { placeText } from './aspect.js';
+import { nearestIndex, placeText } from './aspect.js';
 import { lineWidth, markerRadius } from './chart.js';
 import { curveColour, ink } from './colour.js';
 import { onResize, rootFontPx, svg } from './dom.js';
@@ -182,7 +182,7 @@ export class PolarPlot {
     const turn = (Math.atan2(up, right) * 180) / Math.PI;
     const angle = this.data.axis === 'azimuth' ? turn - 90 : turn;
     const apart = this.aspect.cut.angle_deg.map((other) => Math.abs(((((other - angle) % 360) + 540) % 360) - 180));
-    return apart.indexOf(Math.min(...apart));
+    return nearestIndex(apart, 0);
   }
 
   hover(event) {

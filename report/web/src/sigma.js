@@ -16,7 +16,7 @@ export const plain = (value) => withMinus(String(Number(value.toPrecision(6))));
 
 export const angleText = (degrees) => `${plain(degrees)}°`;
 
-export const countText = (count) => count.toLocaleString('en-US');
+export const countText = (count) => String(count).replace(/\B(?=(\d{3})+$)/g, ',');
 
 export const lengthText = (metres) => `${plain(Number(metres.toPrecision(4)))} m`;
 

@@ -45,6 +45,7 @@ export class TargetPanel {
     this.colours = new Uint32Array(this.facets.count);
     this.view = view;
     view.setFacets(this.facets);
+    this.limitFloor();
     this.addButtons();
     this.followPointer();
     for (const choice of [this.parts.colouring, this.parts.floor])
@@ -66,6 +67,14 @@ export class TargetPanel {
 
   addCreases() {
     this.view?.addCreases();
+  }
+
+  // What is below the floor of the stored levels cannot be told apart.
+  limitFloor() {
+    const { floor } = this.parts;
+    for (const option of floor.options) option.disabled = Number(option.value) < this.data.shown.floor_db;
+    const lowest = [...floor.options].filter((option) => !option.disabled).pop();
+    if (floor.selectedOptions[0].disabled && lowest) floor.value = lowest.value;
   }
 
   addButtons() {

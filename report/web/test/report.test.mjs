@@ -288,6 +288,14 @@ test('names are text', () =>
     { viewport: desktop },
   ));
 
+test('what is not known is not claimed', () =>
+  withReport('coarse', async ({ page }) => {
+    assert.equal(await page.locator('#floor').inputValue(), '-20');
+    assert.equal(await page.locator('#parts tfoot tr').count(), 1);
+    await page.evaluate(() => window.lrcs.setRow(1));
+    assert.equal(await page.locator('#parts tfoot tr').count(), 2);
+  }));
+
 test('LRCS of 0', () =>
   withReport('zero', async ({ page }) => {
     await page.evaluate(() => window.lrcs.setRow(10));

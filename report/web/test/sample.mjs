@@ -229,7 +229,15 @@ const oneCut = (angles, label = 'elevation 0°') => [{ label, rows: angles.map((
 
 function sweptBoth() {
   const azimuths = range(-180, 175, 5);
-  const elevations = range(-40, 40, 10);
+  // Levels that reach down less far, and parts that miss some of the total.
+function coarse() {
+  const made = payload(satellite(6), around([0, 10]), oneCut([0, 10]));
+  Object.assign(made.data.shown, { floor_db: -25.4, step_db: 0.1 });
+  made.data.part_sigma_m2[1][0] = 0;
+  return made;
+}
+
+const elevations = range(-40, 40, 10);
   const rows = elevations.flatMap((elevation) => around(azimuths, elevation));
   const cuts = elevations.map((elevation, j) => ({
     label: `elevation ${elevation}°`,
@@ -308,6 +316,14 @@ function withZero() {
   return made;
 }
 
+// Levels that reach down less far, and parts that miss some of the total.
+function coarse() {
+  const made = payload(satellite(6), around([0, 10]), oneCut([0, 10]));
+  Object.assign(made.data.shown, { floor_db: -25.4, step_db: 0.1 });
+  made.data.part_sigma_m2[1][0] = 0;
+  return made;
+}
+
 const elevations = range(-90, 90, 5);
 const azimuths73 = range(0, 360, 5);
 
@@ -337,6 +353,7 @@ export const samples = {
     ),
   nasty,
   zero: withZero,
+  coarse,
   dark: () => payload(satellite(6), around(range(0, 90, 10)), oneCut(range(0, 90, 10)), { dark: true }),
   single: () => payload(satellite(8), around([40], 20), oneCut([40], 'elevation 20°')),
   parts: thousandParts,
