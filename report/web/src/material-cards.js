@@ -57,7 +57,7 @@ function legend(material) {
         'li',
         {},
         el('span', { class: 'stroke', style: `border-color:${curveColours[k % curveColours.length]}` }),
-        `θ_i = ${angleText(theta)}`,
+        `θᵢ = ${angleText(theta)}`,
       ),
     ),
   );
@@ -85,7 +85,7 @@ function drawBrdf(chart, plot, material) {
   const top = Math.ceil(Math.log10(high));
   const decades = logarithmic ? { min: 10 ** Math.max(Math.floor(Math.log10(low)), top - 6), max: 10 ** top } : null;
   const y = valueAxis({
-    name: 'f_r [1/sr]',
+    name: 'fᵣ [1/sr]',
     gap: 3.6 * font,
     label: logarithmic ? powerText : (value) => plain(Number(value.toPrecision(6))),
   });
@@ -94,7 +94,7 @@ function drawBrdf(chart, plot, material) {
       ...baseOption(),
       grid: { left: 5.2 * font, right: 1.5 * font, top: font, bottom: 3.6 * font },
       xAxis: valueAxis({
-        name: 'angle of reflection θ_r [deg]',
+        name: 'angle of reflection θᵣ [deg]',
         gap: 1.9 * font,
         min: -90,
         max: 90,

@@ -41,6 +41,8 @@ export class TargetPanel {
     } catch (error) {
       return this.refuse(`The facets cannot be read: ${error.message}`);
     }
+    if (!view.shadersWork)
+      return this.refuse('The WebGL of this browser cannot draw the target. All numbers and plots are here.');
     this.selection.partOfFacet = this.facets.part;
     this.colours = new Uint32Array(this.facets.count);
     this.view = view;

@@ -49,6 +49,12 @@ export class TargetView {
     this.renderer.compile(this.mesh.facets, this.camera, this.scene);
   }
 
+  // Asked for once the facets are read: until then the browser compiles beside that.
+  get shadersWork() {
+    const gl = this.renderer.getContext();
+    return this.renderer.info.programs.every(({ program }) => gl.getProgramParameter(program, gl.LINK_STATUS));
+  }
+
   setFacets(facets) {
     this.facets = facets;
     this.mesh.setFacets(facets);

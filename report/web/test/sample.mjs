@@ -230,14 +230,14 @@ const oneCut = (angles, label = 'elevation 0°') => [{ label, rows: angles.map((
 function sweptBoth() {
   const azimuths = range(-180, 175, 5);
   // Levels that reach down less far, and parts that miss some of the total.
-function coarse() {
-  const made = payload(satellite(6), around([0, 10]), oneCut([0, 10]));
-  Object.assign(made.data.shown, { floor_db: -25.4, step_db: 0.1 });
-  made.data.part_sigma_m2[1][0] = 0;
-  return made;
-}
+  function coarse() {
+    const made = payload(satellite(6), around([0, 10]), oneCut([0, 10]));
+    Object.assign(made.data.shown, { floor_db: -25.4, step_db: 0.1 });
+    made.data.part_sigma_m2[1][0] = 0;
+    return made;
+  }
 
-const elevations = range(-40, 40, 10);
+  const elevations = range(-40, 40, 10);
   const rows = elevations.flatMap((elevation) => around(azimuths, elevation));
   const cuts = elevations.map((elevation, j) => ({
     label: `elevation ${elevation}°`,
