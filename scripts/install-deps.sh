@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what lrcs needs to be built, run and tested on Debian 12: install-deps.sh [--checks]
-# --checks: also what .ci/run needs for the style checks. As root or through sudo. Silent where nothing is missing.
+# --checks: also what .ci/run needs: for the style checks, and to bundle the page of reports and drive it in a browser.
+# As root or through sudo. Silent where nothing is missing.
 set -eu
 packages="g++ cmake ninja-build ccache
   libeigen3-dev libcgal-dev libopenmesh-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
@@ -8,7 +9,11 @@ packages="g++ cmake ninja-build ccache
   xvfb libgl1-mesa-dri libxtst-dev"
 for more in "$@"; do
   case $more in
-    --checks) packages="$packages clang-format-14 clang-tidy-14" ;;
+    --checks)
+      packages="$packages clang-format-14 clang-tidy-14 chromium"
+      # Those that are there may be newer than Debian's, and not be Debian's.
+      command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm"
+      ;;
     *) echo "install-deps.sh: expected --checks, found $more" >&2; exit 2 ;;
   esac
 done

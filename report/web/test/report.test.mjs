@@ -6,20 +6,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { launch } from './browser.mjs';
 import { fill, samples } from './sample.mjs';
 
 const project = fileURLToPath(new URL('..', import.meta.url));
-const quiet = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
-const softwareGl = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const desktop = { width: 1440, height: 900 };
 
 let folder;
@@ -31,7 +21,7 @@ before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'lrcs-report-'));
   execFileSync(process.execPath, [join(project, 'build.mjs'), join(folder, 'template.html')]);
   template = readFileSync(join(folder, 'template.html'), 'utf8');
-  browser = await chromium.launch({ executablePath, args: [...quiet, ...softwareGl] });
+  browser = await launch();
 });
 
 after(async () => {
@@ -374,10 +364,7 @@ test('50,000 facets: size and time', async () => {
 });
 
 test('without WebGL the rest works', async () => {
-  const from = await chromium.launch({
-    executablePath,
-    args: [...quiet, '--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'],
-  });
+  const from = await launch({ webGl: false });
   try {
     await withReport(
       'satellite',

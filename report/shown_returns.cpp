@@ -1,0 +1,79 @@
+#include "report/shown_returns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lrcs {
+namespace {
+
+// shape of values: rows x facets.
+std::vector<std::uint8_t> by_facet_as_differences(const std::vector<std::vector<std::uint8_t>>& values) {
+  std::vector<std::uint8_t> differences;
+  for (std::size_t facet = 0; !values.empty() && facet < values[0].size(); ++facet) {
+    std::uint8_t before = 0;
+    for (const auto& row : values) {
+      differences.push_back(static_cast<std::uint8_t>(row[facet] - before));
+      before = row[facet];
+    }
+  }
+  return differences;
+}
+
+}  // namespace
+
+ShownReturns::ShownReturns(const ShownTarget& shown, std::vector<std::size_t> rows)
+    : shown_(shown), rows_(std::move(rows)), per_area_(rows_.size()), seen_(rows_.size()) {}
+
+std::size_t ShownReturns::place_of(std::size_t row) const {
+  return static_cast<std::size_t>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
+}
+
+bool ShownReturns::wants(std::size_t row) const {
+  return std::binary_search(rows_.begin(), rows_.end(), row);
+}
+
+void ShownReturns::take(std::size_t row, const std::vector<double>& facet_sigma,
+                        const std::vector<double>& seen_fraction, const std::vector<double>& facet_area) {
+  std::vector<double> sigma(shown_.size(), 0.0), seen(shown_.size(), 0.0);
+  for (std::size_t k = 0; k < shown_.shown_of.size(); ++k) {
+    sigma[shown_.shown_of[k]] += facet_sigma[k];
+    seen[shown_.shown_of[k]] += seen_fraction[k] * facet_area[k];
+  }
+  auto &per_area = per_area_[place_of(row)], &seen_part = seen_[place_of(row)];
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    const double area = shown_.area[k];
+    per_area.push_back(area > 0.0 ? static_cast<float>(sigma[k] / area) : 0.0F);
+    seen_part.push_back(area > 0.0 ? static_cast<float>(std::min(1.0, seen[k] / area)) : 0.0F);
+  }
+}
+
+double ShownReturns::brightest() const {
+  float most = 0.0F;
+  for (const auto& row : per_area_)
+    for (const float value : row) most = std::max(most, value);
+  return most;
+}
+
+std::vector<std::uint8_t> ShownReturns::levels() const {
+  const double most = brightest();
+  const auto level_of = [&](float value, float seen) -> std::uint8_t {
+    if (seen <= 0.0F) return 0;
+    const double decibels = value > 0.0F ? 10.0 * std::log10(value / most) : -std::numeric_limits<double>::infinity();
+    return static_cast<std::uint8_t>(std::lround(std::clamp(1.0 + (decibels - floor_db) / step_db, 1.0, 255.0)));
+  };
+  std::vector<std::vector<std::uint8_t>> levels(rows_.size());
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (std::size_t k = 0; k < per_area_[row].size(); ++k)
+      levels[row].push_back(level_of(per_area_[row][k], seen_[row][k]));
+  return by_facet_as_differences(levels);
+}
+
+std::vector<std::uint8_t> ShownReturns::seen() const {
+  std::vector<std::vector<std::uint8_t>> parts(rows_.size());
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    for (const float part : seen_[row]) parts[row].push_back(static_cast<std::uint8_t>(std::lround(255.0F * part)));
+  return by_facet_as_differences(parts);
+}
+
+}  // namespace lrcs
