@@ -59,7 +59,7 @@ void say_result(const std::vector<SweepRow>& rows, double seconds, const std::fi
              folder.string());
 }
 
-void run(const Scene& scene, const std::filesystem::path& folder, const Common& common) {
+void run(const Scene& scene, const std::filesystem::path& folder, bool with_hdf5, const Common& common) {
   RunFacts facts;
   facts.command = common.command;
   facts.started_utc = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -71,7 +71,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
   const LoadedTarget loaded = load_target(scene);
   facts.read_seconds = seconds_since(start);
   facts.warnings.insert(facts.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
-  SweepResults results(folder, scene, loaded);
+  SweepResults results(folder, scene, loaded, with_hdf5);
   if (!common.quiet) say_repairs(loaded);
   if (common.verbose && !common.quiet) say_plan(scene, loaded, facts);
   std::vector<Aspect> aspects;
@@ -102,18 +102,20 @@ void run(const Scene& scene, const std::filesystem::path& folder, const Common& 
 void add_sweep_command(CLI::App& app, Common& common) {
   struct Options {
     std::string input, folder;
+    bool hdf5 = false;
     SceneFlags flags;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("sweep", "LRCS over the directions of a sweep");
   verb->add_option("input", options->input, "SCENE.yaml, or a target's mesh and the flags below")->required();
   verb->add_option("-o,--output", options->folder, "Folder for the results (default: <input>-lrcs)");
+  verb->add_flag("--hdf5", options->hdf5, "Write sweep.h5, too: HDF5 with dimension scales and units");
   options->flags.add_to(*verb);
   add_common_flags(*verb, common);
   verb->callback([options, &common] {
     const Scene scene = scene_of(options->input, options->flags);
     const std::string stem = std::filesystem::path(options->input).stem().string();
-    run(scene, options->folder.empty() ? stem + "-lrcs" : options->folder, common);
+    run(scene, options->folder.empty() ? stem + "-lrcs" : options->folder, options->hdf5, common);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +24,7 @@
 namespace lrcs {
 namespace {
 
+constexpr const char* hdf5_name = "sweep.h5";
 // Where pictures of facets wait until the sweep is done: they are drawn from the main thread only.
 constexpr std::size_t picture_memory = std::size_t{256} << 20U;  // [bytes]
 
@@ -39,7 +41,7 @@ void make_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-SweepResults::SweepResults(std::filesystem::path folder, const Scene& scene, const LoadedTarget& loaded)
+SweepResults::SweepResults(std::filesystem::path folder, const Scene& scene, const LoadedTarget& loaded, bool with_hdf5)
     : folder_(std::move(folder)), scene_(scene), loaded_(loaded), files_of_row_(scene.directions.size()) {
   const auto rows = facet_rows(scene);
   for (std::size_t k = 0; k < rows.size(); ++k) files_of_row_[rows[k]].push_back(k);
@@ -50,6 +52,11 @@ SweepResults::SweepResults(std::filesystem::path folder, const Scene& scene, con
   std::filesystem::remove(folder_ / "manifest.json", failed);
   if (failed)
     throw InputError(Place{(folder_ / "manifest.json").string()}, fmt::format("is in the way: {}", failed.message()));
+  if (!with_hdf5) return;
+  std::vector<std::size_t> with_facets;
+  for (std::size_t row = 0; row < files_of_row_.size(); ++row)
+    if (wants_facets(row)) with_facets.push_back(row);
+  hdf5_.emplace(folder_ / hdf5_name, scene_, loaded_, std::move(with_facets));
 }
 
 void SweepResults::keep(const std::string& name) {
@@ -62,6 +69,7 @@ std::size_t SweepResults::most_pictures() const {
 }
 
 void SweepResults::write_facets(std::size_t row, const SweepRow& result, const CrossSection& section) {
+  if (hdf5_) hdf5_->write_facets(row, section);
   for (const std::size_t k : files_of_row_[row]) {
     const std::string name = fmt::format("facets-{}.vtp", k);
     write_facets_vtp(folder_ / name, loaded_.target.mesh, facet_result(loaded_.target, result, section));
@@ -76,6 +84,22 @@ void SweepResults::write_table(const std::vector<SweepRow>& rows) {
   keep("sweep.csv");
   write_whole_file(folder_ / scene_as_run, scene_to_yaml(scene_, folder_));
   keep(scene_as_run);
+  write_series();
+  if (!hdf5_) return;
+  hdf5_->finish(rows);
+  keep(hdf5_name);
+}
+
+// ParaView's time is the row of the sweep.
+void SweepResults::write_series() {
+  if (facets_.empty()) return;
+  std::map<std::size_t, std::string> file_of_row;
+  for (const FacetFile& file : facets_) file_of_row.emplace(file.row, file.name);
+  std::string pvd = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (const auto& [row, name] : file_of_row)
+    pvd += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", row, name);
+  write_whole_file(folder_ / "facets.pvd", pvd + "  </Collection>\n</VTKFile>\n");
+  keep("facets.pvd");
 }
 
 void SweepResults::attempt(const std::string& name,

@@ -19,6 +19,7 @@ bool is_whole(const std::filesystem::path& file) {
   const std::string kind = file.extension();
   if (kind == ".vtp") return content.ends_with("</VTKFile>\n");
   if (kind == ".yaml") return content.ends_with("output: {facets: all}\n");
+  if (kind == ".pvd") return content.ends_with("</VTKFile>\n");
   if (kind == ".json") return nlohmann::json::accept(content);
   if (kind == ".png") return content.ends_with(std::string("IEND\xae\x42\x60\x82"));
   const auto lines = std::count(content.begin(), content.end(), '\n');

@@ -94,7 +94,7 @@ function drawBrdf(chart, plot, material) {
       ...baseOption(),
       grid: { left: 5.2 * font, right: 1.5 * font, top: font, bottom: 3.6 * font },
       xAxis: valueAxis({
-        name: 'angle of reflection θᵣ [deg]',
+        name: 'angle of reflection θᵣ [deg], specular side below 0',
         gap: 1.9 * font,
         min: -90,
         max: 90,
