@@ -69,8 +69,7 @@ struct SweepHdf5::Hidden {
 
   hid_t made(const std::string& name, hid_t type, const std::vector<Dimension>& along, const std::string& unit,
              const std::string& meaning) const {
-    std::vector<hsize_t> sizes;
-    for (const Dimension& d : along) sizes.push_back(d.size);
+    const auto sizes = collected<hsize_t>(along.size(), [&](std::size_t k) { return along[k].size; });
     const hid_t space = good(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr));
     const hid_t timeless = good(H5Pcreate(H5P_DATASET_CREATE));
     good(H5Pset_obj_track_times(timeless, false));

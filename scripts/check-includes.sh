@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 status=0
 allow() { # folder, folders it may include
-  wrong=$(grep -nE '^#include "(base|brdf|measurement|fit|mesh|cad|lrcs|view|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
+  wrong=$(grep -nE '^#include "(base|brdf|measurement|fit|mesh|cad|lrcs|view|report|cli|bench)/' "$1"/*.h "$1"/*.cpp 2>/dev/null | grep -vE "#include \"($2)/" || true)
   [ -z "$wrong" ] || { echo "$wrong"; status=1; }
 }
 allow base 'base'
@@ -15,6 +15,7 @@ allow mesh 'base|mesh'
 allow cad 'base|mesh|cad'
 allow lrcs 'base|measurement|brdf|mesh|cad|lrcs'
 allow view 'base|mesh|view'
-allow cli 'base|measurement|brdf|fit|mesh|cad|lrcs|view|cli'
+allow report 'base|mesh|report'
+allow cli 'base|measurement|brdf|fit|mesh|cad|lrcs|view|report|cli'
 allow bench 'base|measurement|brdf|fit|mesh|cad|lrcs|view|bench'
 exit $status

@@ -7,6 +7,7 @@
 
 #include "view/part_returns.h"
 #include "view/scale_bar.h"
+#include "view/shortened_text.h"
 #include "view/ticks.h"
 
 namespace lrcs {
@@ -32,21 +33,6 @@ std::string aspect_words(const FacetResult& r) {
 
 bool holds(const Box& box, const Point& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
-}
-
-// The end of a path is what tells parts apart.
-std::string shortened(const std::string& text, const Font& font, double room) {
-  if (text_size(text, font).width <= room) return text;
-  const auto end_from = [&](std::size_t from) {
-    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0U) == 0x80U) ++from;
-    return "…" + text.substr(from);
-  };
-  std::size_t low = 0, high = text.size();  // too long from the one on, not from the other
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (text_size(end_from(middle), font).width <= room ? high : low) = middle;
-  }
-  return end_from(high);
 }
 
 }  // namespace
@@ -198,7 +184,7 @@ Picture AspectSheet::drawn(const AspectFacts& facts) {
   const Plot& plot = plot_of(sweep_.places[facts.row].cut);
   canvas.paste(plot.picture, static_cast<int>(curve_box().low.x), static_cast<int>(curve_box().low.y));
   draw_scale(canvas, {{0.535 * width_, target().low.y + 60.0 * unit_}, {0.55 * width_, target().high.y - 30.0 * unit_}},
-             facts.scale, font(17.0));
+             curve_box().low.x - 0.505 * width_ - 16.0 * unit_, facts.scale, font(17.0));
   draw_words(canvas, facts);
   draw_marker(canvas, facts);
   draw_table(canvas, facts);

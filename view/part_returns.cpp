@@ -10,8 +10,8 @@ namespace lrcs {
 std::vector<double> part_returns(const FacetMesh& mesh, const std::vector<double>& facet_sigma) {
   std::vector<CompensatedSum> sums(mesh.part.names.size());
   for (std::size_t k = 0; k < mesh.size(); ++k) sums[mesh.part.of[k]].add(facet_sigma[k]);
-  std::vector<double> returns;
-  for (const CompensatedSum& sum : sums) returns.push_back(sum.value());
+  std::vector<double> returns(sums.size());
+  std::transform(sums.begin(), sums.end(), returns.begin(), [](const CompensatedSum& sum) { return sum.value(); });
   return returns;
 }
 

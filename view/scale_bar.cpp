@@ -2,24 +2,24 @@
 
 #include <cmath>
 
+#include "view/shortened_text.h"
 #include "view/ticks.h"
 
 namespace lrcs {
 namespace {
 
-void draw_names(Canvas& canvas, const Box& bar, const ColourScale& scale, const Font& font) {
-  const double side = 1.2 * font.size;
+void draw_names(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
+  const double side = 1.2 * font.size, left = bar.low.x - 1.8 * font.size;
   double top = bar.high.y;
-  canvas.text({bar.low.x, top}, scale.title, {.font = {font.size, true}, .y = AlignY::top});
+  canvas.text({left, top}, scale.title, {.font = {font.size, true}, .y = AlignY::top});
   for (const auto& [name, colour] : scale.names) {
     top -= 1.8 * font.size;
-    const Box patch{{bar.low.x, top - side}, {bar.low.x + side, top}};
+    const Box patch{{left, top - side}, {left + side, top}};
     canvas.fill(patch, colour);
     canvas.frame(patch, {ink, 1.0});
     const std::string text = name.empty() ? "(no name)" : name;
-    const double room = 6.0 * font.size;
-    const Font fitted = fitting(text, font, room);
-    canvas.text({patch.high.x + 0.4 * font.size, top - 0.5 * side}, text, {.font = fitted, .y = AlignY::middle});
+    canvas.text({patch.high.x + 0.4 * font.size, top - 0.5 * side}, shortened(text, font, room - 1.6 * font.size),
+                {.font = font, .y = AlignY::middle});
   }
 }
 
@@ -38,7 +38,7 @@ void draw_marks(Canvas& canvas, const Box& bar, const ColourScale& scale, const 
 
 }  // namespace
 
-void draw_scale(Canvas& canvas, const Box& bar, const ColourScale& scale, const Font& font) {
+void draw_scale(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
   if (scale.names.empty()) {
     const double height = bar.high.y - bar.low.y, rows = std::floor(height);
     std::vector<Tile> tiles;
@@ -53,10 +53,10 @@ void draw_scale(Canvas& canvas, const Box& bar, const ColourScale& scale, const 
     canvas.text({bar.low.x - 0.6 * font.size, 0.5 * (bar.low.y + bar.high.y)}, scale.title,
                 {.font = fitting(scale.title, font, height), .x = AlignX::centre, .upward = true});
     if (!scale.note.empty())
-      canvas.text({0.5 * (bar.low.x + bar.high.x), bar.high.y + 0.8 * font.size}, scale.note,
-                  {.font = font, .x = AlignX::centre});
+      canvas.text({bar.low.x - 1.8 * font.size, bar.high.y + 0.8 * font.size}, scale.note,
+                  {.font = fitting(scale.note, font, room)});
   } else {
-    draw_names(canvas, bar, scale, font);
+    draw_names(canvas, bar, room, scale, font);
   }
   if (!scale.has_unseen) return;
   const Box grey{{bar.low.x, bar.low.y - 2.2 * font.size}, {bar.high.x, bar.low.y - 1.2 * font.size}};

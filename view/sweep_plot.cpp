@@ -58,7 +58,7 @@ CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves,
   constexpr double least_span = 10.0;  // [dB]
   const CutDrawing drawing = cut_drawing(curves, text, least_span);
   const double top = draw_header(canvas, drawing.header);
-  const CartesianFrame frame =
+  CartesianFrame frame =
       draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));
   const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
   draw_floor_ticks(canvas, drawing, map);

@@ -32,6 +32,8 @@ namespace lrcs {
 namespace {
 
 constexpr double sharp = 30.0;  // where facets turn by more, a line is drawn [deg]
+// Of arrows: from the target, their own, to their names' middles; of the target's radius.
+constexpr double gap = 0.05, arrow_length = 0.24, name_gap = 0.09;
 
 vtkSmartPointer<vtkPolyData> triangles_of(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -216,7 +218,8 @@ void TargetScene::point_at(const Vec3& to_transmitter, const Vec3& to_receiver) 
   const bool is_monostatic = (to_transmitter - to_receiver).norm() < same;
   const double r = hidden_->radius;
   const auto set = [&](Arrow& arrow, const Vec3& direction, const char* name) {
-    arrow.set(hidden_->centre + (hidden_->reach(direction) + 0.06 * r) * direction, direction, 0.3 * r, 0.1 * r, name);
+    arrow.set(hidden_->centre + (hidden_->reach(direction) + gap * r) * direction, direction, arrow_length * r,
+              name_gap * r, name);
   };
   set(hidden_->sensor, to_receiver, is_monostatic ? "sensor" : "receiver");
   set(hidden_->transmitter, to_transmitter, "transmitter");
@@ -242,10 +245,10 @@ void TargetScene::look_from(const Vec3& toward_viewer) {
   camera->SetViewUp(up.data());
   camera->OrthogonalizeViewUp();
   const Vec3 right = up.cross(d).normalized(), above = d.cross(right);
-  constexpr double with_arrows = 1.3;
   const double across = std::max(hidden_->reach(right), hidden_->reach(-right));
   const double upward = std::max(hidden_->reach(above), hidden_->reach(-above));
-  camera->SetParallelScale(with_arrows * std::max({across, upward, 0.2 * hidden_->radius}));
+  constexpr double of_names = 0.93;  // half of a name lies beyond its middle
+  camera->SetParallelScale((std::max(across, upward) + (gap + arrow_length + name_gap) * hidden_->radius) / of_names);
   camera->SetClippingRange(hidden_->radius, 20.0 * hidden_->radius);
 }
 
@@ -267,6 +270,8 @@ void TargetScene::set_letters(int letters) {
   for (const Arrow* arrow :
        {&hidden_->sensor, &hidden_->transmitter, &hidden_->arrows[0], &hidden_->arrows[1], &hidden_->arrows[2]})
     arrow->name->GetTextProperty()->SetFontSize(letters);
+  // Names stand above the line of their arrows.
+  for (const Arrow* arrow : {&hidden_->sensor, &hidden_->transmitter}) arrow->name->SetDisplayOffset(0, letters);
 }
 
 vtkRenderer* TargetScene::renderer() const {
