@@ -13,6 +13,7 @@
 #include "cli/flag_words.h"
 #include "cli/past_run.h"
 #include "cli/progress_bar.h"
+#include "cli/rows_ahead.h"
 #include "cli/sweep_cuts.h"
 #include "lrcs/convexity.h"
 #include "lrcs/facet_sections.h"
@@ -80,10 +81,13 @@ void view(const Options& options, const Common& common) {
   if (!is_convex_body(target.mesh)) visibility.emplace(target.mesh);
   FacetSections sections(target, visibility ? &*visibility : nullptr);
   const ViewedSweep sweep = viewed_sweep(run.rows, target.mesh, title_of(run.scene));
-  AspectView view(sweep, [&](std::size_t row) {
-    const CrossSection& section = sections.at(run.rows[row].aspect);
-    return facet_result(target, {run.rows[row].aspect, section.sigma, section.seen_area}, section);
-  });
+  RowsAhead rows(
+      [&](std::size_t row) {
+        const CrossSection& section = sections.at(run.rows[row].aspect);
+        return facet_result(target, {run.rows[row].aspect, section.sigma, section.seen_area}, section);
+      },
+      run.rows.size());
+  AspectView view(sweep, [&](std::size_t row) { return rows.at(row); });
   view.go_to(options.aspect);
   view.show(showing_of(options));
   view.look_from_receiver(false);
