@@ -25,14 +25,14 @@ constexpr std::uint32_t unassigned = 0xffffffff;
 constexpr std::size_t most_names = 12;
 
 // "" is a part or material that the file gives no name.
-std::string shown(const std::string& name) {
+std::string quoted(const std::string& name) {
   return name.empty() ? "one without a name" : fmt::format("'{}'", name);
 }
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t k = 0; k < std::min(names.size(), most_names); ++k)
-    text += fmt::format("{}{}", k == 0 ? "" : ", ", shown(names[k]));
+    text += fmt::format("{}{}", k == 0 ? "" : ", ", quoted(names[k]));
   return names.size() > most_names ? fmt::format("{} and {} more", text, names.size() - most_names) : text;
 }
 
@@ -152,7 +152,7 @@ FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
         scene.assign_place,
         fmt::format("{} of {} facets have no material, the first in part {}{}: expected a rule for each, or a last "
                     "rule {{default: MATERIAL}}",
-                    std::count(material.begin(), material.end(), unassigned), mesh.size(), shown(name_of(mesh.part, k)),
+                    std::count(material.begin(), material.end(), unassigned), mesh.size(), quoted(name_of(mesh.part, k)),
                     also_told(mesh, k)));
   }
   if (back == material) back.clear();

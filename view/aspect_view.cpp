@@ -12,10 +12,6 @@
 namespace lrcs {
 namespace {
 
-Vec3 direction(double azimuth_deg, double elevation_deg) {
-  return direction_of({azimuth_deg, elevation_deg});
-}
-
 std::string square_metres(double sigma_m2) {
   const std::string text = number_label(sigma_m2, 6) + " m²";
   return sigma_m2 > 0.0 ? text + " (" + tick_label(10.0 * std::log10(sigma_m2), 0.01) + " dBsm)" : text;
@@ -30,7 +26,7 @@ AspectView::AspectView(const ViewedSweep& sweep, Compute compute)
 }
 
 Vec3 AspectView::to_receiver() const {
-  return direction(result_.receiver_azimuth_deg, result_.receiver_elevation_deg);
+  return direction_of({result_.receiver_azimuth_deg, result_.receiver_elevation_deg});
 }
 
 void AspectView::go_to(std::size_t row) {
@@ -38,7 +34,7 @@ void AspectView::go_to(std::size_t row) {
   row_ = row;
   result_ = compute_(row);
   part_sigma_ = part_returns(*sweep_.mesh, result_.sigma_m2);
-  scene_.point_at(direction(result_.transmitter_azimuth_deg, result_.transmitter_elevation_deg), to_receiver());
+  scene_.point_at(direction_of({result_.transmitter_azimuth_deg, result_.transmitter_elevation_deg}), to_receiver());
   if (follows_receiver_) scene_.look_from(to_receiver());
   colour();
 }

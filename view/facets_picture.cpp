@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/direction.h"
 #include "view/facet_colours.h"
 #include "view/solid_drawing.h"
 #include "view/ticks.h"
@@ -40,12 +41,6 @@ void require_valid(const FacetMesh& mesh, const FacetResult& result, const Vec3&
   if (std::min(width, height) < 400 || std::max(width, height) > 8000) {
     throw std::invalid_argument("a picture's width and height lie in 400..8000 pixels");
   }
-}
-
-Vec3 direction(double azimuth_deg, double elevation_deg) {
-  const double azimuth = azimuth_deg * degree;
-  const double elevation = elevation_deg * degree;
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
 Point plus(const Point& p, const Point& step, double factor) {
@@ -160,7 +155,7 @@ void draw_facets_picture(const std::filesystem::path& png, const FacetMesh& mesh
                       static_cast<double>(height)};
   const ParallelView view = view_of(mesh, oblique(toward_receiver, up, raise, aside), up, layout.target());
   Canvas canvas(solid_drawing(mesh, facet_colours(mesh, result), view, width, height));
-  const Vec3 transmitter = direction(result.transmitter_azimuth_deg, result.transmitter_elevation_deg);
+  const Vec3 transmitter = direction_of({result.transmitter_azimuth_deg, result.transmitter_elevation_deg});
   const Vec3 receiver = toward_receiver.normalized();
   constexpr double same = 1e-6;  // [rad]
   const bool monostatic = (transmitter - receiver).norm() < same;
