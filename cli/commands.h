@@ -19,6 +19,7 @@ struct Common {
 // Work throws InputError for wrong input, std::runtime_error for what could not be finished.
 void add_sweep_command(CLI::App& app, Common& common);
 void add_view_command(CLI::App& app, Common& common);
+void add_plot_command(CLI::App& app, Common& common);
 void add_check_command(CLI::App& app, Common& common);
 void add_info_command(CLI::App& app, Common& common);
 void add_repair_command(CLI::App& app, Common& common);
