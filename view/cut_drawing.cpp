@@ -19,12 +19,16 @@ bool has_band(const CutPoint& point) {
   return point.low_dbsm < point.high_dbsm;
 }
 
-// How a curve is drawn: thin where it has a band, for the band to show beside it.
+bool has_bands(const CutDrawing& drawing) {
+  return std::any_of(drawing.cuts.begin(), drawing.cuts.end(),
+                     [](const auto& cut) { return std::any_of(cut.begin(), cut.end(), has_band); });
+}
+
+// How a curve is drawn: all are thin where there are bands, for the bands to show beside them.
 Pen pen_of(const CutDrawing& drawing, std::size_t curve) {
-  constexpr double thin = 2.0;  // [pixel]
+  constexpr double thin = 2.5;  // [pixel]
   Pen pen = curve_pen(curve);
-  const auto& cut = drawing.cuts[curve];
-  if (std::any_of(cut.begin(), cut.end(), has_band)) pen.width = thin;
+  if (has_bands(drawing)) pen.width = thin;
   return pen;
 }
 
@@ -35,11 +39,6 @@ void keep_wide_band(std::vector<CutPoint>& cut, double least) {
   };
   if (std::any_of(cut.begin(), cut.end(), is_wide)) return;
   for (CutPoint& point : cut) point.low_dbsm = point.high_dbsm = point.dbsm;
-}
-
-bool has_bands(const CutDrawing& drawing) {
-  return std::any_of(drawing.cuts.begin(), drawing.cuts.end(),
-                     [](const auto& cut) { return std::any_of(cut.begin(), cut.end(), has_band); });
 }
 
 void add_bent(std::vector<Point>& points, const CutPoint& from, const CutPoint& to, const CutMap& map) {
@@ -60,10 +59,11 @@ std::vector<Point> drawn_points(const std::vector<CutPoint>& stroke, const CutMa
   return points;
 }
 
-// Along the upper edge and back along the lower one.
+// Along the upper edge and back along the lower one; a direction by itself has an upright line.
 void draw_band(Canvas& canvas, const std::vector<CutPoint>& high, std::vector<CutPoint> low, const CutMap& map,
                bool straight, const Colour& colour) {
   constexpr double lightness = 0.3;
+  if (high.size() == 1) canvas.line({map(high.front()), map(low.front())}, {colour, 2.0});
   if (high.size() < 2) return;
   std::reverse(low.begin(), low.end());
   std::vector<Point> outline = drawn_points(high, map, straight);
@@ -83,7 +83,7 @@ void draw_dots(Canvas& canvas, const std::vector<CutPoint>& cut, double floor, c
 }  // namespace
 
 CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span, double length) {
-  constexpr double least_band = 4.0;  // that shows beside a thin line [pixel]
+  constexpr double least_band = 4.5;  // that shows beside a thin line [pixel]
   if (curves.empty()) throw std::invalid_argument("a plot needs at least one curve");
   CutDrawing drawing;
   for (const Curve& curve : curves) drawing.cuts.push_back(cut_points(curve));

@@ -35,7 +35,7 @@ struct PlotText {
 //   ticks on the floor mark those directions. Up to 60 directions also get a dot each. A curve that comes back to its
 //   start within its own spacing is drawn closed. Angles that jump from 360 to 0 run on.
 //   From sigma - bound to sigma + bound lies a light band in the curve's colour, if it is wide enough to be seen; the
-//   curve is a thin line then, and the plot says what the band is.
+//   curves are thin lines then, and the plot says what the band is.
 // laws: the same curves give the same bytes.
 // domain: at least one curve, and the floor below the highest point, else std::invalid_argument; up to a dozen stay
 // readable. A legend names two or more. error: std::runtime_error where the file cannot be written. check:
