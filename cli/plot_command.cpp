@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "cli/flag_words.h"
 #include "cli/part_stack.h"
@@ -56,7 +57,14 @@ CutChoice cut_choice(const PlotOptions& options) {
   return {number_if_given(options.azimuth, "--azimuth"), number_if_given(options.elevation, "--elevation")};
 }
 
-// Flags that say nothing to this kind of plot.
+void require_kind(const std::string& kind) {
+  const std::vector<std::string> kinds{"cut", "polar", "map", "sphere", "parts"};
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError(fmt::format("--kind: expected cut, polar, map, sphere or parts, found '{}'{}", kind,
+                                 did_you_mean(kind, kinds)));
+}
+
+// Flags that say nothing to this kind of plot are errors.
 void require_fitting_flags(const PlotOptions& options) {
   const bool is_curves = options.kind == "cut" || options.kind == "polar", is_parts = options.kind == "parts";
   const auto refuse = [&](const std::string& words, const char* flag, bool allowed, const char* kinds) {
@@ -72,7 +80,7 @@ void require_fitting_flags(const PlotOptions& options) {
     throw InputError(fmt::format("--kind {}: expected one sweep, found {}", options.kind, options.inputs.size()));
   if (options.inputs.size() > most_curves)
     throw InputError(
-        fmt::format("lrcs plot: expected at most {} sweeps to compare, found {}", most_curves, options.inputs.size()));
+        fmt::format("expected at most {} sweeps to compare, found {}", most_curves, options.inputs.size()));
   if (!options.labels.empty() && options.labels.size() != options.inputs.size())
     throw InputError(fmt::format("--label: expected one for each of {} sweeps, found {}", options.inputs.size(),
                                  options.labels.size()));
@@ -187,6 +195,7 @@ void draw_parts(Canvas& canvas, const PlotOptions& options, const std::vector<Pl
 }
 
 void plot(const PlotOptions& options, const Common& common) {
+  require_kind(options.kind);
   require_fitting_flags(options);
   const PlotSize size = plot_size(options);
   Canvas canvas = plot_canvas(options.output, size.width, size.height);
@@ -215,8 +224,7 @@ void add_plot_command(CLI::App& app, Common& common) {
   verb->add_option("-o,--output", options->output, "The plot, .png or .svg (default plot.png)");
   verb->add_option("--kind", options->kind,
                    "cut: dBsm against the angle; polar: the same about a centre; map, sphere: dBsm over both angles; "
-                   "parts: m^2 against the angle, part by part (default cut)")
-      ->check(CLI::IsMember({"cut", "polar", "map", "sphere", "parts"}));
+                   "parts: m^2 against the angle, part by part (default cut)");
   verb->add_option("--elevation", options->elevation, "The cut against azimuth at this elevation [deg]");
   verb->add_option("--azimuth", options->azimuth, "The cut against elevation at this azimuth [deg]");
   verb->add_option("--label", options->labels, "Name of a sweep in the legend, one for each, in order; repeated")

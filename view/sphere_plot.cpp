@@ -52,7 +52,7 @@ std::string words_of(const AspectAngles& from) {
 
 AspectAngles opposite(const AspectAngles& from) {
   const double azimuth = from.azimuth_deg + 180.0;
-  return {azimuth >= 360.0 ? azimuth - 360.0 : azimuth, -from.elevation_deg};
+  return {azimuth >= 360.0 ? azimuth - 360.0 : azimuth, 0.0 - from.elevation_deg};
 }
 
 SphereView draw_sphere(Canvas& canvas, const Box& box, const DirectionMap& map, const DecibelRange& range,

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Three sweeps of the two boxes: one cut, a grid, one cut against elevation.
+// Sweeps of the two boxes: `scene` is one cut, `grid` has three, `up` is one against elevation.
 class Plot : public testing::Test {
  protected:
   Plot() {
@@ -23,8 +23,10 @@ class Plot : public testing::Test {
     const std::string angles = "azimuth: {from: 0, to: 40, step: 10}\n  elevation: 0";
     folder_.write("grid.yaml", scene_with(angles, "azimuth: {from: 0, to: 330, step: 30}\n  elevation: [-30, 0, 30]"));
     folder_.write("up.yaml", scene_with(angles, "azimuth: 10\n  elevation: {from: -20, to: 20, step: 10}"));
-    for (const char* name : {"scene", "grid", "up"})
-      EXPECT_EQ(run_lrcs({"sweep", std::string(name) + ".yaml", "-o", name, "-q"}, {folder_.path()}).status, 0);
+  }
+  void sweep(const Words& names) const {
+    for (const std::string& name : names)
+      EXPECT_EQ(run_lrcs({"sweep", name + ".yaml", "-o", name, "-q"}, {folder_.path()}).status, 0);
   }
   [[nodiscard]] Outcome plot(const Words& words) const { return run_lrcs(with({"plot"}, words), {folder_.path()}); }
   // The SVG that is drawn.
@@ -44,6 +46,7 @@ class Plot : public testing::Test {
 };
 
 TEST_F(Plot, DrawsEveryKindOfItAndNeedsNoDisplay) {
+  sweep({"grid"});
   for (const char* kind : {"cut", "polar", "map", "sphere", "parts"}) {
     const Words words{"plot", "grid", "--kind", kind, "-o", std::string(kind) + ".png"};
     const Words one_cut = std::string(kind) == "parts" ? with(words, {"--elevation", "0"}) : words;
@@ -55,11 +58,13 @@ TEST_F(Plot, DrawsEveryKindOfItAndNeedsNoDisplay) {
 }
 
 TEST_F(Plot, IsWrittenToPlotPngUnlessTold) {
+  sweep({"scene"});
   ASSERT_EQ(plot({"scene"}).status, 0);
   EXPECT_EQ(folder_.read("plot.png").substr(1, 3), "PNG");
 }
 
 TEST_F(Plot, IsThatOfTheSweepItself) {
+  sweep({"grid"});
   ASSERT_EQ(plot({"grid", "-o", "cut.png"}).status, 0);
   EXPECT_EQ(folder_.read("cut.png"), folder_.read("grid/sweep.png"));
   ASSERT_EQ(plot({"grid", "--kind", "polar", "-o", "polar.png"}).status, 0);
@@ -69,12 +74,14 @@ TEST_F(Plot, IsThatOfTheSweepItself) {
 }
 
 TEST_F(Plot, TakesTheTableInPlaceOfItsFolder) {
+  sweep({"grid"});
   EXPECT_EQ(svg({"grid/sweep.csv", "--kind", "map"}), svg({"grid", "--kind", "map"}));
-  folder_.write("other.csv", folder_.read("scene/sweep.csv"));
+  folder_.write("other.csv", folder_.read("grid/sweep.csv"));
   EXPECT_THAT(svg({"other.csv"}), HasSubstr(">Monostatic LRCS of other<"));
 }
 
 TEST_F(Plot, SaysWhatItShows) {
+  sweep({"grid"});
   const std::string one = svg({"grid", "--elevation", "30"});
   EXPECT_THAT(one, HasSubstr(">Monostatic LRCS of box.stl<"));
   EXPECT_THAT(one, HasSubstr(">azimuth [deg] at elevation 30 deg<"));
@@ -86,6 +93,7 @@ TEST_F(Plot, SaysWhatItShows) {
 }
 
 TEST_F(Plot, ComparesSweepsByTheNamesOfTheirFolders) {
+  sweep({"scene", "grid"});
   const std::string both = svg({"scene", "./grid/", "--elevation", "0"});
   EXPECT_THAT(both, HasSubstr(">scene<"));
   EXPECT_THAT(both, HasSubstr(">grid<"));
@@ -104,13 +112,15 @@ TEST_F(Plot, ComparesSweepsByTheNamesOfTheirFolders) {
 TEST_F(Plot, ShowsTheBoundsOfASampledSweep) {
   folder_.write("box.stl", stl_sphere(60) + stl_box("panel1", {0.5, 0.9, -0.3}, {1.5, 2, 0.3}));
   folder_.write("sampled.yaml", good_scene + "accuracy: {relative: 0.01}\n");
-  ASSERT_EQ(run_lrcs({"sweep", "sampled.yaml", "-o", "sampled", "-q"}, {folder_.path()}).status, 0);
+  sweep({"sampled", "scene"});
   EXPECT_THAT(svg({"sampled", "--floor", "3"}), HasSubstr(">Band: bound (LRCS − bound to LRCS + bound)<"));
   EXPECT_THAT(svg({"scene"}), Not(HasSubstr("Band")));
 }
 
 TEST_F(Plot, StartsAtTheFloorAndHasTheSizeAskedFor) {
-  const std::string text = svg({"scene", "--floor", "-7.5", "--size", "900x700"});
+  sweep({"grid"});
+  const std::string text = svg({"grid", "--floor", "6", "--size", "900x700"});
+  EXPECT_THAT(text, HasSubstr(">No line where LRCS is 0 or below 6 dBsm<"));
   EXPECT_THAT(text, HasSubstr("viewBox=\"0 0 900 700\""));
   const std::string sphere = svg({"grid", "--kind", "sphere", "--from", "-90,0"});
   EXPECT_THAT(sphere, HasSubstr(">seen from azimuth −90°, elevation 0°<"));
@@ -118,11 +128,13 @@ TEST_F(Plot, StartsAtTheFloorAndHasTheSizeAskedFor) {
 }
 
 TEST_F(Plot, GivesTheSameBytesTwiceAndForAnyNumberOfThreads) {
+  sweep({"grid"});
   const Words parts{"grid", "--kind", "parts", "--elevation", "30"};
   EXPECT_EQ(svg(with(parts, {"-t", "1"})), svg(with(parts, {"-t", "4"})));
 }
 
 TEST_F(Plot, NamesThePartsThatReturn) {
+  sweep({"up"});
   const std::string parts = svg({"up", "--kind", "parts"});
   EXPECT_THAT(parts, HasSubstr(">body<"));
   EXPECT_THAT(parts, HasSubstr(">panel1<"));
@@ -132,6 +144,7 @@ TEST_F(Plot, NamesThePartsThatReturn) {
 }
 
 TEST_F(Plot, OfAGridIsAnOutputOfItsSweep) {
+  sweep({"scene", "grid"});
   EXPECT_TRUE(folder_.has("grid/map.png"));
   EXPECT_FALSE(folder_.has("scene/map.png"));
   const auto lists_map = [&](const std::string& sweep) {
@@ -145,6 +158,7 @@ TEST_F(Plot, OfAGridIsAnOutputOfItsSweep) {
 }
 
 TEST_F(Plot, SaysWhatIsWrong) {
+  sweep({"scene", "grid", "up"});
   folder_.write("words.csv", "a,b\n1,2\n");
   std::filesystem::create_directories(folder_.path() / "empty");
   const std::vector<std::pair<Words, std::string>> wrong{
@@ -175,7 +189,8 @@ TEST_F(Plot, SaysWhatIsWrong) {
       {{"scene", "--kind", "parts", "--floor", "0"}, "--floor: belongs to --kind cut, polar, map or sphere"},
       {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 800x600 to 8000x8000 pixels, found '100x100'"},
       {{"scene", "--size", "1600"}, "--size: expected WIDTHxHEIGHT"},
-      {{"scene", "--kind", "pie"}, "cut"},
+      {{"scene", "--kind", "part"},
+       "--kind: expected cut, polar, map, sphere or parts, found 'part', did you mean 'parts'?"},
       {{"scene", "-o", "a.pdf"}, "a.pdf: expected a file for a plot, that ends in .png or .svg"},
       {{"scene", "-o", "none/a.svg"}, "--output: no such folder: 'none'"},
       {{"grid", "--kind", "parts"}, "grid: has 3 cuts"},
@@ -188,6 +203,7 @@ TEST_F(Plot, SaysWhatIsWrong) {
 }
 
 TEST_F(Plot, OfPartsNeedsTheTargetAsItWas) {
+  sweep({"scene"});
   folder_.write("box.stl", two_boxes() + "\n");
   EXPECT_THAT(complaint({"scene", "--kind", "parts"}), HasSubstr("box.stl: has changed since the sweep"));
   EXPECT_EQ(plot({"scene", "--kind", "cut", "-o", "cut.png"}).status, 0);
