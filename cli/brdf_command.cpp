@@ -44,13 +44,14 @@ void print_table(const BrdfOptions& options, bool quiet) {
 }
 
 void add_picture_flags(CLI::App& brdf, BrdfOptions& options) {
-  brdf.add_option("-o,--output", options.pictures.curves, "Draw the curves into this PNG file");
+  brdf.add_option("-o,--output", options.pictures.curves, "Draw the curves into this file, .png or .svg");
   brdf.add_option("--shadowing", options.pictures.shadowing,
-                  "Draw the shadowing function G into this PNG file (models that have one)");
+                  "Draw the shadowing function G into this file, .png or .svg (models that have one)");
   brdf.add_option("--with", options.compared, "Beside MATERIAL in --output and --shadowing; may be repeated")
       ->allow_extra_args(false);
-  brdf.add_option("--surface", options.pictures.surface,
-                  "Draw f_r over all scattering directions, at the first incidence angle, into this PNG file");
+  brdf.add_option(
+      "--surface", options.pictures.surface,
+      "Draw f_r over all scattering directions, at the first incidence angle, into this file, .png or .svg");
   brdf.add_option("--surface-shadowing", options.pictures.surface_shadowing, "The same of G");
 }
 

@@ -123,7 +123,7 @@ void require_png_files(const BrdfPictures& pictures) {
                                   {"--surface", &pictures.surface},
                                   {"--surface-shadowing", &pictures.surface_shadowing}}) {
     if (png->empty()) continue;
-    require_output_file(*png, flag, {".png"});
+    require_output_file(*png, flag, {".png", ".svg"});
     const auto [other, is_new] =
         flag_of.emplace(std::filesystem::weakly_canonical(std::filesystem::absolute(*png)), flag);
     if (!is_new)

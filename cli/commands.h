@@ -20,6 +20,7 @@ struct Common {
 void add_sweep_command(CLI::App& app, Common& common);
 void add_view_command(CLI::App& app, Common& common);
 void add_report_command(CLI::App& app, Common& common);
+void add_plot_command(CLI::App& app, Common& common);
 void add_check_command(CLI::App& app, Common& common);
 void add_info_command(CLI::App& app, Common& common);
 void add_repair_command(CLI::App& app, Common& common);

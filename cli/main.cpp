@@ -109,6 +109,7 @@ int run(int argc, char** argv) {
   add_check_command(app, common);
   add_info_command(app, common);
   add_view_command(app, common);
+  add_plot_command(app, common);
   add_report_command(app, common);
   add_repair_command(app, common);
   add_fit_command(app, common);

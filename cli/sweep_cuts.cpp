@@ -24,6 +24,7 @@ std::vector<ViewedCut> cuts_along(const std::vector<SweepRow>& rows, double Aspe
     for (const auto& [angle, row] : points) {
       cut.curve.angle_deg.push_back(angle);
       cut.curve.sigma_m2.push_back(rows[row].sigma.value);
+      cut.curve.bound_m2.push_back(rows[row].sigma.bound);
       cut.rows.push_back(row);
     }
   }
@@ -41,6 +42,7 @@ ViewedCut cut_along_rows(const std::vector<SweepRow>& rows) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     all.curve.angle_deg.push_back(static_cast<double>(row));
     all.curve.sigma_m2.push_back(rows[row].sigma.value);
+    all.curve.bound_m2.push_back(rows[row].sigma.bound);
     all.rows.push_back(row);
   }
   return all;
@@ -55,13 +57,19 @@ std::vector<Curve> Cuts::curves(std::size_t most, std::size_t* left_out) const {
   return curves;
 }
 
+Cuts azimuth_cuts(const std::vector<SweepRow>& rows) {
+  return {cuts_along(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation"), "azimuth [deg]",
+          CutAngle::azimuth};
+}
+
+Cuts elevation_cuts(const std::vector<SweepRow>& rows) {
+  return {cuts_along(rows, &AspectAngles::azimuth_deg, &AspectAngles::elevation_deg, "azimuth"), "elevation [deg]",
+          CutAngle::elevation};
+}
+
 Cuts cuts_of(const std::vector<SweepRow>& rows) {
-  Cuts cuts{cuts_along(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation"), "azimuth (deg)"};
-  if (longest(cuts.cuts) <= 1 && rows.size() > 1) {
-    cuts.axis = "elevation (deg)";
-    cuts.angle = CutAngle::elevation;
-    cuts.cuts = cuts_along(rows, &AspectAngles::azimuth_deg, &AspectAngles::elevation_deg, "azimuth");
-  }
+  Cuts cuts = azimuth_cuts(rows);
+  if (longest(cuts.cuts) <= 1 && rows.size() > 1) cuts = elevation_cuts(rows);
   if (longest(cuts.cuts) <= 1 && rows.size() > 1) {
     cuts.axis = "row of sweep.csv";
     cuts.angle = CutAngle::other;

@@ -11,13 +11,17 @@ namespace lrcs {
 // the same; against the row's number for a list of loose directions.
 struct Cuts {
   std::vector<ViewedCut> cuts;
-  std::string axis;  // "azimuth (deg)", ...
+  std::string axis;  // "azimuth [deg]", ...
   CutAngle angle = CutAngle::azimuth;
 
   // The first ones. left_out: how many are not among them.
   [[nodiscard]] std::vector<Curve> curves(std::size_t most, std::size_t* left_out = nullptr) const;
 };
 [[nodiscard]] Cuts cuts_of(const std::vector<SweepRow>& rows);
+
+// All cuts against azimuth, one an elevation; against elevation, one an azimuth. Some may have one direction only.
+[[nodiscard]] Cuts azimuth_cuts(const std::vector<SweepRow>& rows);
+[[nodiscard]] Cuts elevation_cuts(const std::vector<SweepRow>& rows);
 
 // More are not told apart in one plot.
 inline constexpr std::size_t most_curves = 7;

@@ -15,10 +15,12 @@
 #include "cli/facet_results.h"
 #include "cli/past_run.h"
 #include "cli/sweep_cuts.h"
+#include "cli/sweep_map.h"
 #include "lrcs/scene_yaml.h"
 #include "lrcs/sweep_csv.h"
 #include "view/facets_picture.h"
 #include "view/facets_vtp.h"
+#include "view/map_plot.h"
 #include "view/sweep_plot.h"
 
 namespace lrcs {
@@ -124,6 +126,9 @@ void SweepResults::draw(const std::vector<SweepRow>& rows, std::vector<std::stri
       "sweep.png", [&](const auto& png) { draw_sweep_plot(png, curves, text); }, warnings);
   attempt(
       "polar.png", [&](const auto& png) { draw_polar_plot(png, curves, text); }, warnings);
+  if (const auto map = direction_map(rows))
+    attempt(
+        "map.png", [&](const auto& png) { draw_map_plot(png, *map, {text.title}); }, warnings);
   if (scene_.facets.directions.size() > most_pictures())
     warnings.push_back(
         fmt::format("pictures are drawn of the first {} facet files only, to save memory", most_pictures()));

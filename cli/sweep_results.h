@@ -27,8 +27,8 @@ class SweepResults {
 
   // sweep.csv, the scene as it was run, the series of the facet files, sweep.h5.
   void write_table(const std::vector<SweepRow>& rows);
-  // sweep.png and polar.png, and a picture of each facet file asked by direction, as many as memory is set aside for.
-  // What cannot be drawn is a warning.
+  // sweep.png and polar.png, map.png of a grid of both angles, and a picture of each facet file asked by direction, as
+  // many as memory is set aside for. What cannot be drawn is a warning.
   void draw(const std::vector<SweepRow>& rows, std::vector<std::string>& warnings);
   void write_manifest(RunFacts facts);
 

@@ -19,7 +19,7 @@ std::string degrees(double azimuth_deg, double elevation_deg) {
   return "azimuth " + number_label(azimuth_deg, 6) + "°, elevation " + number_label(elevation_deg, 6) + "°";
 }
 
-std::string decibels(double sigma_m2) {
+std::string dbsm_words(double sigma_m2) {
   return sigma_m2 > 0.0 ? tick_label(10.0 * std::log10(sigma_m2), 0.01) : "−∞";
 }
 
@@ -100,7 +100,7 @@ void AspectSheet::draw_words(Canvas& canvas, const AspectFacts& facts) const {
   line(sweep_.title, 14.0, font(22.0, true), ink);
   line(aspect_words(r), 44.0, font(20.0), ink);
   line("LRCS " + number_label(r.sigma_total_m2, 6) + " m² ± " + number_label(sweep_.bound_m2[facts.row], 2) + " m², " +
-           decibels(r.sigma_total_m2) + " dBsm",
+           dbsm_words(r.sigma_total_m2) + " dBsm",
        72.0, font(20.0), ink);
   double top = 108.0;
   for (const std::string& text : facts.picked) {
@@ -148,7 +148,7 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
     shown += sigma;
     table_rows_.push_back({{{box.low.x, y - 0.5 * row}, {box.high.x, y + 0.5 * row}}, part});
     if (facts.part == part) canvas.fill(table_rows_.back().first, {1.0, 0.88, 0.85});
-    cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 5), decibels(sigma),
+    cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 5), dbsm_words(sigma),
           tick_label(100.0 * sigma / total, 0.1));
   }
   const double rest = std::max(0.0, total - shown);
@@ -156,12 +156,12 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
       std::count_if(facts.part_sigma.begin(), facts.part_sigma.end(), [](double sigma) { return sigma > 0.0; }));
   if (returning > strongest.size()) {
     y -= row;
-    cells(y, plain, std::to_string(returning - strongest.size()) + " others", number_label(rest, 5), decibels(rest),
+    cells(y, plain, std::to_string(returning - strongest.size()) + " others", number_label(rest, 5), dbsm_words(rest),
           tick_label(100.0 * rest / total, 0.1));
   }
   y -= row;
   canvas.line({{box.low.x, y + 0.5 * row}, {box.high.x, y + 0.5 * row}}, {ink, 1.5 * unit_});
-  cells(y, bold, "all", number_label(total, 5), decibels(total), total > 0.0 ? "100" : "−");
+  cells(y, bold, "all", number_label(total, 5), dbsm_words(total), total > 0.0 ? "100" : "−");
 }
 
 void AspectSheet::draw_slider(Canvas& canvas, const AspectFacts& facts) const {

@@ -6,6 +6,7 @@
 
 #include "view/brdf_axes.h"
 #include "view/incidence_family.h"
+#include "view/plot_file.h"
 
 namespace lrcs {
 namespace {
@@ -46,8 +47,8 @@ Axis value_axis(const std::vector<PennedCurve>& curves) {
   return f_r_axis(positive, positive);
 }
 
-void draw(const std::filesystem::path& png, const PlotHeader& header, const std::vector<PennedCurve>& curves) {
-  Canvas canvas(1600, 1000);
+void draw(const std::filesystem::path& file, const PlotHeader& header, const std::vector<PennedCurve>& curves) {
+  Canvas canvas = plot_canvas(file, 1600, 1000);
   const double top = draw_header(canvas, header);
   const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves), value_axis(curves));
   canvas.clip(frame.box);
@@ -57,7 +58,7 @@ void draw(const std::filesystem::path& png, const PlotHeader& header, const std:
   }
   canvas.no_clip();
   draw_outline(canvas, frame);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 PlotHeader header_of(const std::vector<BrdfCurve>& curves, const std::string& title) {
@@ -71,14 +72,14 @@ PlotHeader header_of(const std::vector<BrdfCurve>& curves, const std::string& ti
 
 }  // namespace
 
-void draw_brdf_plot(const std::filesystem::path& png, const std::vector<BrdfCurve>& curves, const std::string& title) {
+void draw_brdf_plot(const std::filesystem::path& file, const std::vector<BrdfCurve>& curves, const std::string& title) {
   require_valid(curves);
   std::vector<PennedCurve> penned;
   for (std::size_t i = 0; i < curves.size(); ++i) penned.push_back({&curves[i], curve_pen(i)});
-  draw(png, header_of(curves, title), penned);
+  draw(file, header_of(curves, title), penned);
 }
 
-void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<BrdfCurves>& materials,
+void draw_brdf_comparison(const std::filesystem::path& file, const std::vector<BrdfCurves>& materials,
                           const std::string& title) {
   require_family(materials);
   for (const BrdfCurves& material : materials) require_valid(material.curves);
@@ -88,7 +89,7 @@ void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<Br
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (std::size_t m = 0; m < materials.size(); ++m)
       penned.push_back({&materials[m].curves[chosen[k]], family_pen(k, m)});
-  draw(png, {title, choice_note(chosen.size(), incidences), family_legend(materials, chosen)}, penned);
+  draw(file, {title, choice_note(chosen.size(), incidences), family_legend(materials, chosen)}, penned);
 }
 
 }  // namespace lrcs

@@ -15,14 +15,14 @@ struct BrdfCurve {
   std::vector<double> f_r_per_sr;
 };
 
-// Writes a PNG, 1600 x 1000 pixels: one curve for each theta_i. Needs no display.
+// Writes a PNG or SVG, 1600 x 1000 pixels: one curve for each theta_i. Needs no display.
 // value: a logarithmic axis where the positive values span more than a factor 50, at most six decades; else linear
 //   from 0.
 // laws: the same curves give the same bytes.
 // domain: at least one curve, else std::invalid_argument.
 // error: std::runtime_error where the file cannot be written.
 // check: tests/view/brdf_plot_test.cpp.
-void draw_brdf_plot(const std::filesystem::path& png, const std::vector<BrdfCurve>& curves, const std::string& title);
+void draw_brdf_plot(const std::filesystem::path& file, const std::vector<BrdfCurve>& curves, const std::string& title);
 
 // The curves of one material.
 struct BrdfCurves {
@@ -33,7 +33,7 @@ struct BrdfCurves {
 // The same of several materials: the colour tells theta_i, the dashes the material. Of more than seven incidence angles
 // seven spread ones, which the picture says.
 // domain: one to six materials, the same theta_i in the same order in each.
-void draw_brdf_comparison(const std::filesystem::path& png, const std::vector<BrdfCurves>& materials,
+void draw_brdf_comparison(const std::filesystem::path& file, const std::vector<BrdfCurves>& materials,
                           const std::string& title);
 
 }  // namespace lrcs

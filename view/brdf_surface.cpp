@@ -8,6 +8,7 @@
 #include "view/colour_bar.h"
 #include "view/hemisphere_surface.h"
 #include "view/hemisphere_view.h"
+#include "view/plot_file.h"
 #include "view/plot_header.h"
 #include "view/ticks.h"
 
@@ -120,11 +121,11 @@ void draw_ring_labels(Canvas& canvas, const HemisphereView& view, const Hemisphe
 
 }  // namespace
 
-void draw_brdf_surface(const std::filesystem::path& png, const HemisphereValues& values, const SurfaceText& text) {
+void draw_brdf_surface(const std::filesystem::path& file, const HemisphereValues& values, const SurfaceText& text) {
   require_valid(values);
   const double largest = std::max(text.full_scale, *std::max_element(values.value.begin(), values.value.end()));
   const Axis axis = linear_axis(text.value_axis, 0.0, largest > 0.0 ? largest : 1.0, 5);
-  Canvas canvas(1600, 1300);
+  Canvas canvas = plot_canvas(file, 1600, 1300);
   const double top = draw_header(canvas, {text.title, text.note, {}});
   const HemisphereView view = view_below(top, values.theta_r_deg.back());
   draw_back_wall(canvas, view, axis);
@@ -133,7 +134,7 @@ void draw_brdf_surface(const std::filesystem::path& png, const HemisphereValues&
   draw_ring_labels(canvas, view, values, axis.high);
   draw_azimuths(canvas, view);
   draw_colour_bar(canvas, {{1390.0, view.centre.y}, {1434.0, view.centre.y + view.rise}}, axis);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -19,6 +19,7 @@
 
 #include "view/dashes.h"
 #include "view/line_pieces.h"
+#include "view/svg.h"
 
 namespace lrcs {
 namespace {
@@ -56,6 +57,11 @@ std::vector<Point> arc_points(const Point& centre, double radius) {
   return points;
 }
 
+// How far the next letter would stand: ink may reach less far.
+double advance(const std::string& text, const Font& font) {
+  return text_size("H" + text + "H", font).width - text_size("HH", font).width;
+}
+
 double shift(AlignX align, double width) {
   if (align == AlignX::left) return 0.0;
   return align == AlignX::centre ? -0.5 * width : -width;
@@ -68,7 +74,7 @@ double shift(AlignY align, double cap_height) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height) : sheet_{width, height, {}} {
+Canvas::Canvas(int width, int height, Recording recording) : sheet_{width, height, {}}, recording_(recording) {
   if (width <= 0 || height <= 0) throw std::invalid_argument("a picture needs a width and a height above zero");
   sheet_.rgb.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
   no_clip();
@@ -78,14 +84,31 @@ Canvas::Canvas(Picture ground) : sheet_(std::move(ground)) {
   no_clip();
 }
 
+template <class Shape>
+void Canvas::record(const Shape& shape) {
+  if (recording_ == Recording::shapes) elements_.push_back(shape(SvgElements(height())));
+}
+
+std::string Canvas::svg() const {
+  if (recording_ != Recording::shapes) throw std::logic_error("this canvas records no shapes");
+  std::vector<std::string> elements = elements_;
+  if (in_clip_) elements.push_back(SvgElements::end_of_clip());
+  return svg_document(sheet_.width, sheet_.height, elements);
+}
+
 void Canvas::clip(const Box& box) {
   no_clip();
   const Pixels inside = pixels_of(box);
   clip_ = {{inside.left + 0.0, inside.bottom + 0.0}, {inside.right + 0.0, inside.top + 0.0}};
+  record([&](const SvgElements& svg) { return svg.clip(clip_, clips_); });
+  ++clips_;
+  in_clip_ = true;
 }
 
 void Canvas::no_clip() {
   clip_ = {{0.0, 0.0}, {width(), height()}};
+  if (in_clip_) record([](const SvgElements& svg) { return svg.end_of_clip(); });
+  in_clip_ = false;
 }
 
 Canvas::Pixels Canvas::pixels_of(const Box& box) const {
@@ -123,6 +146,7 @@ void Canvas::blend(int column, int row, const Colour& colour, double opacity) {
 }
 
 void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
+  record([&](const SvgElements& svg) { return svg.fill(box, colour, opacity); });
   const Pixels area = pixels_of(box);
   // The share of a pixel between two places.
   const auto share = [](int pixel, double low, double high) {
@@ -134,12 +158,18 @@ void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
 }
 
 void Canvas::line(const std::vector<Point>& points, const Pen& pen) {
-  strokes(dashes(points, pen.dash), pen);
+  record([&](const SvgElements& svg) { return svg.lines({points}, pen); });
+  ink_lines(dashes(points, pen.dash), pen);
 }
 
 void Canvas::strokes(const std::vector<std::vector<Point>>& strokes, const Pen& pen) {
+  record([&](const SvgElements& svg) { return svg.lines(strokes, {pen.colour, pen.width}); });
+  ink_lines(strokes, pen);
+}
+
+void Canvas::ink_lines(const std::vector<std::vector<Point>>& lines, const Pen& pen) {
   const double reach = 0.5 * (pen.width + 1.0);
-  const auto pieces = line_pieces(strokes, grown(clip_, reach));
+  const auto pieces = line_pieces(lines, grown(clip_, reach));
   const double* bounds = pieces->GetBounds();
   const Pixels area = pixels_of(grown({{bounds[0], bounds[2]}, {bounds[1], bounds[3]}}, reach));
   if (area.empty()) return;
@@ -163,18 +193,32 @@ void Canvas::frame(const Box& box, const Pen& pen) {
 }
 
 void Canvas::circle(const Point& centre, double radius, const Pen& pen) {
-  line(arc_points(centre, radius), pen);
+  record([&](const SvgElements& svg) { return svg.circle(centre, radius, pen); });
+  ink_lines(dashes(arc_points(centre, radius), pen.dash), pen);
 }
 
 void Canvas::disc(const Point& centre, double radius, const Colour& colour) {
-  line({centre}, {colour, 2.0 * radius});
+  record([&](const SvgElements& svg) { return svg.disc(centre, radius, colour); });
+  ink_lines({{centre}}, {colour, 2.0 * radius});
+}
+
+void Canvas::area(const std::vector<Point>& outline, const Colour& colour, double opacity) {
+  record([&](const SvgElements& svg) { return svg.area(outline, colour, opacity); });
+  Picture painted = sheet_;
+  paint_tiles(painted, clip_, {{outline, colour}});
+  std::transform(sheet_.rgb.begin(), sheet_.rgb.end(), painted.rgb.begin(), sheet_.rgb.begin(),
+                 [&](std::uint8_t below, std::uint8_t above) {
+                   return static_cast<std::uint8_t>(std::lround(std::lerp(below, above, opacity)));
+                 });
 }
 
 void Canvas::tiles(const std::vector<Tile>& tiles) {
+  record([&](const SvgElements& svg) { return svg.tiles(tiles); });
   paint_tiles(sheet_, clip_, tiles);
 }
 
 void Canvas::paste(const Picture& picture, int left, int bottom) {
+  record([&](const SvgElements& svg) { return svg.picture(picture, left, bottom); });
   const Pixels area =
       pixels_of({{left + 0.0, bottom + 0.0}, {left + 0.0 + picture.width, bottom + 0.0 + picture.height}});
   for (int row = area.bottom; row < area.top; ++row) {
@@ -185,9 +229,10 @@ void Canvas::paste(const Picture& picture, int left, int bottom) {
 }
 
 void Canvas::text(const Point& anchor, const std::string& text, const TextStyle& style) {
-  TextBitmap bitmap = text_bitmap(text, style.font);
+  const TextBitmap bitmap = text_bitmap(text, style.font);
   const double dx = shift(style.x, bitmap.width);
-  const double dy = shift(style.y, bitmap.capital) - bitmap.baseline;
+  const double lift = shift(style.y, bitmap.capital);  // from the anchor to the baseline
+  const double dy = lift - bitmap.baseline;
   const int left = static_cast<int>(std::lround(style.upward ? anchor.x - dy - bitmap.height : anchor.x + dx));
   const int bottom = static_cast<int>(std::lround(style.upward ? anchor.y + dx : anchor.y + dy));
   const int across = style.upward ? bitmap.height : bitmap.width;
@@ -195,6 +240,10 @@ void Canvas::text(const Point& anchor, const std::string& text, const TextStyle&
   const Box ground{{static_cast<double>(left), static_cast<double>(bottom)},
                    {static_cast<double>(left + across), static_cast<double>(bottom + up)}};
   if (style.halo > 0.0) fill(ground, white, style.halo);
+  record([&](const SvgElements& svg) {
+    const Point baseline{anchor.x - (style.upward ? lift : 0.0), anchor.y + (style.upward ? 0.0 : lift)};
+    return svg.text(baseline, text, style, advance(text, style.font));
+  });
   const Pixels area = pixels_of(ground);
   for (int row = area.bottom; row < area.top; ++row)
     for (int column = area.left; column < area.right; ++column) {

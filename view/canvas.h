@@ -45,6 +45,9 @@ struct TextStyle {
   double halo = 0.0;    // opacity of the white ground behind the text [1]
 };
 
+// Whether a canvas keeps its shapes too, for SVG.
+enum class Recording { none, shapes };
+
 // A white sheet on which VTK's image filters draw plots: no display, no graphics driver.
 // value: every shape covers a pixel by the share of it that lies inside (smooth edges); later shapes lie over earlier.
 // domain: shapes may lie anywhere; what is outside the sheet (or the clip box) is not drawn. A line breaks where a
@@ -54,7 +57,8 @@ struct TextStyle {
 // check: tests/view/canvas_test.cpp measures areas of ink.
 class Canvas {
  public:
-  Canvas(int width, int height);  // throws std::invalid_argument unless both are positive
+  // throws std::invalid_argument unless both are positive
+  Canvas(int width, int height, Recording recording = Recording::none);
   explicit Canvas(Picture ground);
 
   [[nodiscard]] double width() const { return sheet_.width; }
@@ -71,6 +75,8 @@ class Canvas {
   void frame(const Box& box, const Pen& pen);
   void circle(const Point& centre, double radius, const Pen& pen);
   void disc(const Point& centre, double radius, const Colour& colour);
+  // A filled polygon through which what is below shines. shape: as Tile::outline.
+  void area(const std::vector<Point>& outline, const Colour& colour, double opacity);
   // Filled polygons, later ones over earlier ones, without seams between neighbours: see view/tiles.h.
   void tiles(const std::vector<Tile>& tiles);
   // Another picture over this one, its lower left pixel at (left, bottom); what lies outside the clip box is left out.
@@ -78,18 +84,27 @@ class Canvas {
   void text(const Point& anchor, const std::string& text, const TextStyle& style);
 
   [[nodiscard]] const Picture& picture() const { return sheet_; }
+  // The shapes so far as an SVG file. domain: a canvas that records them; else std::logic_error.
+  [[nodiscard]] std::string svg() const;
 
  private:
   struct Pixels {  // columns and rows [low, high)
     int left, bottom, right, top;
     [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
   };
+  template <class Shape>  // what it gives of an SvgElements
+  void record(const Shape& shape);
   [[nodiscard]] Pixels pixels_of(const Box& box) const;
   void blend(int column, int row, const Colour& colour, double opacity);
+  void ink_lines(const std::vector<std::vector<Point>>& lines, const Pen& pen);
   void lay(vtkAlgorithm* mask, int left, int bottom, const Pixels& area, vtkScalarsToColors* inks);
 
   Picture sheet_;
   Box clip_;
+  Recording recording_ = Recording::none;
+  std::vector<std::string> elements_;  // of SVG (view/svg.h)
+  std::size_t clips_ = 0;              // recorded so far
+  bool in_clip_ = false;               // the last one is not ended
 };
 
 // Room that a text takes: width, and height from the baseline to the top of a capital [pixel].

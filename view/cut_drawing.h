@@ -16,11 +16,16 @@ struct CutDrawing {
   PlotHeader header;
 };
 
-// domain: as draw_sweep_plot. `least_span`: of the dBsm axis [dB].
-[[nodiscard]] CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span);
+// domain: as draw_sweep_plot. `least_span`: of the dBsm axis [dB]. `length`: of that axis, about [pixel]: a curve's
+// band stays where it is wider than the curve's line somewhere; else its points have none.
+[[nodiscard]] CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span,
+                                     double length);
 
 // Where a direction lies on the canvas.
 using CutMap = std::function<Point(const CutPoint&)>;
+
+// Draws the bands of all curves, for the curves to lie over. What is below the floor ends there.
+void draw_bands(Canvas& canvas, const CutDrawing& drawing, const CutMap& map, bool straight);
 
 // Draws all curves, first on top, with dots where directions are few. `straight`: the map takes straight lines to
 // straight lines; else lines are bent in steps of a degree.

@@ -6,6 +6,7 @@
 
 #include "base/direction.h"
 #include "view/facet_colours.h"
+#include "view/plot_file.h"
 #include "view/solid_drawing.h"
 #include "view/ticks.h"
 
@@ -146,7 +147,7 @@ void draw_captions(Canvas& canvas, const Layout& layout, const FacetResult& resu
 
 }  // namespace
 
-void draw_facets_picture(const std::filesystem::path& png, const FacetMesh& mesh, const FacetResult& result,
+void draw_facets_picture(const std::filesystem::path& file, const FacetMesh& mesh, const FacetResult& result,
                          const Vec3& toward_receiver, const Vec3& up, int width, int height) {
   require_valid(mesh, result, toward_receiver, up, width, height);
   constexpr double raise = 25.0 * degree;
@@ -154,7 +155,8 @@ void draw_facets_picture(const std::filesystem::path& png, const FacetMesh& mesh
   const Layout layout{std::min(height / 1200.0, width / 1600.0), static_cast<double>(width),
                       static_cast<double>(height)};
   const ParallelView view = view_of(mesh, oblique(toward_receiver, up, raise, aside), up, layout.target());
-  Canvas canvas(solid_drawing(mesh, facet_colours(mesh, result), view, width, height));
+  Canvas canvas = plot_canvas(file, width, height);
+  canvas.paste(solid_drawing(mesh, facet_colours(mesh, result), view, width, height), 0, 0);
   const Vec3 transmitter = direction_of({result.transmitter_azimuth_deg, result.transmitter_elevation_deg});
   const Vec3 receiver = toward_receiver.normalized();
   constexpr double same = 1e-6;  // [rad]
@@ -164,7 +166,7 @@ void draw_facets_picture(const std::filesystem::path& png, const FacetMesh& mesh
   draw_triad(canvas, layout, view);
   draw_colour_bar(canvas, layout);
   draw_captions(canvas, layout, result, monostatic);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -7,7 +7,7 @@
 
 namespace lrcs {
 
-// Writes a PNG of the target, coloured by what each facet returns in one direction of a sweep.
+// Writes a PNG or SVG of the target, coloured by what each facet returns in one direction of a sweep.
 // value: colour is sigma_m2 / area of the facet, in dB below the brightest facet, viridis from -40 dB (and less) to 0;
 //   light grey: the facet is not lit and seen. Colours are a little darker where a facet is turned away from the
 //   viewer, and creases and rims are drawn, so that the shape can be read.
@@ -19,7 +19,7 @@ namespace lrcs {
 // laws: the same input gives the same bytes on the same machine.
 // error: std::runtime_error, one line, where no 3-D picture can be drawn (view/private_display.h) or no file written.
 // check: tests/view/facets_picture_test.cpp finds bright, dim and unseen facets in their colours and places.
-void draw_facets_picture(const std::filesystem::path& png, const FacetMesh& mesh, const FacetResult& result,
+void draw_facets_picture(const std::filesystem::path& file, const FacetMesh& mesh, const FacetResult& result,
                          const Vec3& toward_receiver, const Vec3& up, int width, int height);
 
 }  // namespace lrcs

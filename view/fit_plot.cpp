@@ -8,6 +8,7 @@
 
 #include "view/incidence_family.h"
 #include "view/marker.h"
+#include "view/plot_file.h"
 
 namespace lrcs {
 namespace {
@@ -207,7 +208,7 @@ void draw_residuals(Canvas& canvas, const Box& box, const Axis& x, const Axis& y
 
 }  // namespace
 
-void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture) {
+void draw_fit_plot(const std::filesystem::path& file, const FitPicture& picture) {
   if (picture.curves.empty() || picture.curves.size() > most_incidences_of_a_fit)
     throw std::invalid_argument("a plot of a fit needs one to eight curves");
   for (const FitCurve& curve : picture.curves) require_valid(curve);
@@ -216,14 +217,14 @@ void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture) 
   const Axis values = value_axis(curves, picture.scale);
   const ResidualText text = text_of(picture.residuals);
   const Axis residuals = residual_axis(curves, text);
-  Canvas canvas(1600, 1300);
+  Canvas canvas = plot_canvas(file, 1600, 1300);
   constexpr double between = 14.0;  // legend and frame [pixel]
   const double top =
       draw_header(canvas, {picture.title, note_of(picture, curves, values), legend_of(curves)}) - between;
   const Panels panels = panels_of(canvas, top, x, values, residuals);
   draw_values(canvas, panels.values, x, values, curves);
   draw_residuals(canvas, panels.residuals, x, residuals, text.note, curves);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -35,14 +35,14 @@ struct FitPicture {
   ResidualKind residuals = ResidualKind::percent_of_largest;
 };
 
-// Writes a PNG, 1600 x 1300 pixels: above, measured points as symbols and the fit as lines, a colour and a symbol for
-// each theta_i; below, the residuals. Needs no display.
-// value: the scale as in view/brdf_axes.h. The picture says how many measured points lie below a logarithmic axis. Of
+// Writes a PNG or SVG, 1600 x 1300 pixels: above, measured points as symbols and the fit as lines, a colour and a
+// symbol for each theta_i; below, the residuals. Needs no display. value: the scale as in view/brdf_axes.h. The picture
+// says how many measured points lie below a logarithmic axis. Of
 //   symbols so near one another that they cannot be told apart one is drawn.
 // laws: the same picture gives the same bytes, whatever the order of its curves where their theta_i differ.
 // domain: one to eight curves, valid ones; else std::invalid_argument.
 // error: std::runtime_error where the file cannot be written.
 // check: tests/view/fit_plot_test.cpp.
-void draw_fit_plot(const std::filesystem::path& png, const FitPicture& picture);
+void draw_fit_plot(const std::filesystem::path& file, const FitPicture& picture);
 
 }  // namespace lrcs

@@ -18,7 +18,10 @@ double entry_width(const LegendEntry& entry, const Font& font) {
 }
 
 void draw_entry(Canvas& canvas, const LegendEntry& entry, const Font& font, const Point& left) {
-  canvas.line({left, {left.x + sample_length, left.y}}, entry.pen);
+  constexpr double half_box = 13.0;  // [pixel]
+  const Point right{left.x + sample_length, left.y};
+  if (entry.is_area) canvas.fill({{left.x, left.y - half_box}, {right.x, right.y + half_box}}, entry.pen.colour);
+  if (!entry.is_area) canvas.line({left, right}, entry.pen);
   if (entry.marker) draw_markers(canvas, {{left.x + 0.5 * sample_length, left.y}}, *entry.marker);
   canvas.text({left.x + sample_length + text_gap, left.y}, entry.label,
               {.font = font, .x = AlignX::left, .y = AlignY::middle});

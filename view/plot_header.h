@@ -13,6 +13,7 @@ struct LegendEntry {
   Pen pen;
   std::optional<Marker> marker = {};  // on the middle of the line
   bool starts_row = false;
+  bool is_area = false;  // a box of the pen's colour stands for it, instead of a line
 };
 
 // What stands above a plot, from the top: title, a note in grey (its lines one below the other), the legend in rows.

@@ -10,7 +10,6 @@
 
 #include <cassert>
 #include <stdexcept>
-#include <string_view>
 
 #include "base/whole_file.h"
 
@@ -40,17 +39,19 @@ vtkSmartPointer<vtkImageData> image_on(std::uint8_t* bytes, int width, int heigh
   return image;
 }
 
-void write_png(const std::filesystem::path& png, const Picture& picture) {
+std::string png_bytes(const Picture& picture) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image_of(picture));
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (bytes == nullptr || bytes->GetNumberOfValues() == 0) {
-    throw std::runtime_error(png.string() + ": the picture cannot be encoded as PNG");
-  }
-  write_whole_file(png, std::string_view(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                                         static_cast<std::size_t>(bytes->GetNumberOfValues())));
+  if (bytes == nullptr || bytes->GetNumberOfValues() == 0)
+    throw std::runtime_error("the picture cannot be encoded as PNG");
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void write_png(const std::filesystem::path& png, const Picture& picture) {
+  write_whole_file(png, png_bytes(picture));
 }
 
 Picture shrunk(const Picture& picture, int factor) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -19,6 +20,9 @@ struct Picture {
 // Bytes as VTK's picture, without a copy: VTK reads and writes them in place, as long as they live.
 // shape: rows from the bottom up, `channels` bytes a pixel.
 [[nodiscard]] vtkSmartPointer<vtkImageData> image_on(std::uint8_t* bytes, int width, int height, int channels);
+
+// The picture as a PNG file; the same picture gives the same bytes.
+[[nodiscard]] std::string png_bytes(const Picture& picture);
 
 // Writes a PNG that appears whole or not at all; the same picture gives the same bytes.
 // Throws std::runtime_error where writing fails.

@@ -3,6 +3,7 @@
 
 #include "base/vec3.h"
 #include "view/cut_drawing.h"
+#include "view/plot_file.h"
 #include "view/sweep_plot.h"
 #include "view/ticks.h"
 
@@ -92,8 +93,7 @@ std::string frame_note(const PlotText& text) {
 }
 
 void draw_foot(Canvas& canvas, const DecibelRange& range, const PlotText& text) {
-  const std::string foot =
-      frame_note(text) + "rings: LRCS [dBsm], centre " + tick_label(range.low, range.step) + " dBsm";
+  const std::string foot = frame_note(text) + "rings: LRCS [dBsm], centre " + floor_label(range) + " dBsm";
   canvas.text({0.5 * canvas.width(), 30.0}, foot,
               {.font = fitting(foot, note_font, canvas.width() - 60.0), .x = AlignX::centre});
 }
@@ -111,19 +111,24 @@ PolarFrame frame_below(double top, const Canvas& canvas, const DecibelRange& ran
 
 }  // namespace
 
-void draw_polar_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text) {
+void draw_polar_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
   constexpr double least_span = 20.0;  // [dB]
-  const CutDrawing drawing = cut_drawing(curves, text, least_span);
-  Canvas canvas(1200, 1200);
+  const CutDrawing drawing = cut_drawing(curves, text, least_span, 0.35 * std::min(canvas.width(), canvas.height()));
   const double top = draw_header(canvas, drawing.header);
   const PolarFrame frame = frame_below(top, canvas, drawing.range, text.angle);
+  const auto map = [&](const CutPoint& point) { return frame.at(point); };
   draw_spokes(canvas, frame, text.angle);
   draw_rings(canvas, frame);
-  draw_curves(
-      canvas, drawing, [&](const CutPoint& point) { return frame.at(point); }, false);
+  draw_bands(canvas, drawing, map, false);
+  draw_curves(canvas, drawing, map, false);
   draw_ring_labels(canvas, frame, ring_label_direction(drawing));
   draw_foot(canvas, drawing.range, text);
-  write_png(png, canvas.picture());
+}
+
+void draw_polar_plot(const std::filesystem::path& file, const std::vector<Curve>& curves, const PlotText& text) {
+  Canvas canvas = plot_canvas(file, 1200, 1200);
+  draw_polar_plot(canvas, curves, text);
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -6,6 +6,7 @@
 
 #include "view/brdf_axes.h"
 #include "view/incidence_family.h"
+#include "view/plot_file.h"
 
 namespace lrcs {
 namespace {
@@ -37,14 +38,14 @@ Axis shadowing_axis() {
 
 }  // namespace
 
-void draw_shadowing_plot(const std::filesystem::path& png, const std::vector<ShadowingCurves>& materials,
+void draw_shadowing_plot(const std::filesystem::path& file, const std::vector<ShadowingCurves>& materials,
                          const std::string& title, const std::string& note) {
   require_family(materials);
   for (const ShadowingCurves& material : materials)
     for (const ShadowingCurve& curve : material.curves) require_valid(curve);
   const std::size_t incidences = materials.front().curves.size();
   const auto chosen = spread_choice(incidences, most_incidences_of_a_family);
-  Canvas canvas(1600, 1000);
+  Canvas canvas = plot_canvas(file, 1600, 1000);
   const double top = draw_header(
       canvas, {title, note + "\n" + choice_note(chosen.size(), incidences), family_legend(materials, chosen)});
   const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(materials), shadowing_axis());
@@ -54,7 +55,7 @@ void draw_shadowing_plot(const std::filesystem::path& png, const std::vector<Sha
       draw_broken_line(canvas, frame, curve.theta_r_deg, curve.shadowing, family_pen(k, m));
     }
   draw_outline(canvas, frame);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -5,6 +5,7 @@
 
 #include "view/cartesian_frame.h"
 #include "view/cut_drawing.h"
+#include "view/plot_file.h"
 #include "view/ticks.h"
 
 namespace lrcs {
@@ -56,20 +57,21 @@ Axis decibel_axis(const DecibelRange& range) {
 
 CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
   constexpr double least_span = 10.0;  // [dB]
-  const CutDrawing drawing = cut_drawing(curves, text, least_span);
+  const CutDrawing drawing = cut_drawing(curves, text, least_span, 0.7 * canvas.height());
   const double top = draw_header(canvas, drawing.header);
   CartesianFrame frame =
       draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));
   const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
+  draw_bands(canvas, drawing, map, true);
   draw_floor_ticks(canvas, drawing, map);
   draw_curves(canvas, drawing, map, true);
   return frame;
 }
 
-void draw_sweep_plot(const std::filesystem::path& png, const std::vector<Curve>& curves, const PlotText& text) {
-  Canvas canvas(1600, 1000);
+void draw_sweep_plot(const std::filesystem::path& file, const std::vector<Curve>& curves, const PlotText& text) {
+  Canvas canvas = plot_canvas(file, 1600, 1000);
   draw_sweep_plot(canvas, curves, text);
-  write_png(png, canvas.picture());
+  write_plot(file, canvas);
 }
 
 }  // namespace lrcs

@@ -26,6 +26,7 @@ std::vector<Wrong> wrong_words() {
       {{"--verison"}, "unknown flag '--verison', did you mean '--version'? (see lrcs --help)"},
       {{"sweep"}, "input is required" + see_sweep},
       {{"info"}, "target is required (see lrcs info --help)"},
+      {{"plot"}, "inputs is required (see lrcs plot --help)"},
       {{"check"}, "scene is required (see lrcs check --help)"},
       {{"brdf"}, "material is required (see lrcs brdf --help)"},
       {{"sweep", "box.stl", "--unti", "mm"}, "unknown flag '--unti', did you mean '--unit'?" + see_sweep},
@@ -167,6 +168,7 @@ TEST(Help, IsThereForEveryVerb) {
                              {"sweep", "--help"},
                              {"check", "--help"},
                              {"info", "--help"},
+                             {"plot", "--help"},
                              {"brdf", "--help"},
                              {"materials", "--help"},
                              {"sweep", "-h"}}) {

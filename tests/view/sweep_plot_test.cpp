@@ -11,6 +11,8 @@ namespace {
 
 const PlotText text{"Title", "azimuth [deg]"};
 
+using Draw = void (*)(const std::filesystem::path&, const std::vector<Curve>&, const PlotText&);
+
 // 0 dBsm at the ends, `peak` dBsm at peak_deg, straight in dB between; every degree from 0 to 180.
 Curve one_peak(double peak_deg, double peak_dbsm) {
   Curve curve{"one peak", {}, {}};
@@ -109,7 +111,7 @@ TEST(SweepPlot, ShowsOneDirectionAsADot) {
 }
 
 TEST(SweepPlot, DrawsASweepThatIsZeroThroughout) {
-  for (const auto draw : {draw_sweep_plot, draw_polar_plot}) {
+  for (const Draw draw : {Draw(draw_sweep_plot), Draw(draw_polar_plot)}) {
     const auto png = scratch_file("plot.png");
     draw(png, {{"dark", {0.0, 10.0, 20.0}, {0.0, 0.0, 0.0}}}, text);
     EXPECT_GT(find_colour(PngPixels(png), ink).count, 3000);
@@ -123,7 +125,7 @@ TEST(SweepPlot, DrawsTenThousandDirections) {
 }
 
 TEST(SweepPlot, GivesTheSameBytesTwice) {
-  for (const auto draw : {draw_sweep_plot, draw_polar_plot}) {
+  for (const Draw draw : {Draw(draw_sweep_plot), Draw(draw_polar_plot)}) {
     const auto first = scratch_file("first.png");
     const auto second = scratch_file("second.png");
     draw(first, {one_peak(70.0, 20.0), constant(0, 180, 7, 2.0)}, text);
