@@ -91,9 +91,11 @@ std::optional<double> checked_floor(const PlotOptions& options, const std::vecto
   double highest = 0.0;
   for (const PlottedSweep& sweep : sweeps)
     for (const SweepRow& row : sweep.rows) highest = std::max(highest, row.sigma.value);
-  if (floor && highest > 0.0 && *floor >= dbsm(highest))
-    throw InputError(
-        fmt::format("--floor: expected less than the highest LRCS, {:.6g} dBsm, found {}", dbsm(highest), *floor));
+  constexpr double deepest = 300.0;  // [dB]
+  const double top = dbsm(highest);
+  if (floor && highest > 0.0 && (*floor >= top || *floor < top - deepest))
+    throw InputError(fmt::format(
+        "--floor: expected less than the highest LRCS, {:.6g} dBsm, by {} dB at most, found {}", top, deepest, *floor));
   return floor;
 }
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <functional>
 #include <future>
+#include <utility>
 
 #include "view/facet_result.h"
 
@@ -16,18 +17,22 @@ class RowsAhead {
   RowsAhead(Compute compute, std::size_t rows) : compute_(std::move(compute)), rows_(rows) {}
 
   [[nodiscard]] FacetResult at(std::size_t row) {
-    FacetResult result = next_.valid() && next_row_ == row ? next_.get() : compute_(row);
-    const bool goes_on = row == last_ + 1 || row + 1 == last_;
-    next_row_ = row > last_ ? row + 1 : row - 1;
-    if (goes_on && next_row_ < rows_) next_ = std::async(std::launch::async, compute_, next_row_);
+    FacetResult result = ahead_.valid() && ahead_row_ == row ? ahead_.get() : compute_(row);
+    ahead_ = {};
+    const bool goes_up = row == last_ + 1, goes_down = row + 1 == last_;
     last_ = row;
+    if ((goes_up && row + 1 < rows_) || (goes_down && row > 0)) {
+      ahead_row_ = goes_up ? row + 1 : row - 1;
+      ahead_ = std::async(std::launch::async, compute_, ahead_row_);
+    }
     return result;
   }
 
  private:
   Compute compute_;
-  std::size_t rows_, last_ = 0, next_row_ = 0;
-  std::future<FacetResult> next_;
+  std::size_t rows_, last_ = 0;
+  std::size_t ahead_row_ = 0;  // of ahead_, where that is valid
+  std::future<FacetResult> ahead_;
 };
 
 }  // namespace lrcs

@@ -26,7 +26,7 @@ bool has_bands(const CutDrawing& drawing) {
 
 // How a curve is drawn: all are thin where there are bands, for the bands to show beside them.
 Pen pen_of(const CutDrawing& drawing, std::size_t curve) {
-  constexpr double thin = 2.5;  // [pixel]
+  constexpr double thin = 2.0;  // [pixel]
   Pen pen = curve_pen(curve);
   if (has_bands(drawing)) pen.width = thin;
   return pen;
@@ -62,14 +62,14 @@ std::vector<Point> drawn_points(const std::vector<CutPoint>& stroke, const CutMa
 // Along the upper edge and back along the lower one; a direction by itself has an upright line.
 void draw_band(Canvas& canvas, const std::vector<CutPoint>& high, std::vector<CutPoint> low, const CutMap& map,
                bool straight, const Colour& colour) {
-  constexpr double lightness = 0.3;
+  constexpr double opacity = 0.4;
   if (high.size() == 1) canvas.line({map(high.front()), map(low.front())}, {colour, 2.0});
   if (high.size() < 2) return;
   std::reverse(low.begin(), low.end());
   std::vector<Point> outline = drawn_points(high, map, straight);
   const std::vector<Point> back = drawn_points(low, map, straight);
   outline.insert(outline.end(), back.begin(), back.end());
-  canvas.area(outline, colour, lightness);
+  canvas.area(outline, colour, opacity);
 }
 
 void draw_dots(Canvas& canvas, const std::vector<CutPoint>& cut, double floor, const CutMap& map, const Pen& pen) {
@@ -83,7 +83,7 @@ void draw_dots(Canvas& canvas, const std::vector<CutPoint>& cut, double floor, c
 }  // namespace
 
 CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span, double length) {
-  constexpr double least_band = 4.5;  // that shows beside a thin line [pixel]
+  constexpr double least_band = 4.0;  // that shows beside a thin line [pixel]
   if (curves.empty()) throw std::invalid_argument("a plot needs at least one curve");
   CutDrawing drawing;
   for (const Curve& curve : curves) drawing.cuts.push_back(cut_points(curve));

@@ -17,7 +17,7 @@ struct CutDrawing {
 };
 
 // domain: as draw_sweep_plot. `least_span`: of the dBsm axis [dB]. `length`: of that axis, about [pixel]: a curve's
-// band stays where it is wider than the curve's line somewhere; else its points have none.
+// band stays if it shows somewhere beside a thin line, which all curves then get; else its points have none.
 [[nodiscard]] CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, double least_span,
                                      double length);
 

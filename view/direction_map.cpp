@@ -52,7 +52,7 @@ std::vector<MapCell> map_cells(const DirectionMap& map) {
 }
 
 DecibelRange map_range(const DirectionMap& map, std::optional<double> floor_dbsm) {
-  constexpr double least_span = 10.0;  // [dB]
+  constexpr double least_span = 1.0;  // [dB]
   std::vector<CutPoint> points;
   for (const MapCell& cell : map_cells(map)) points.push_back({0.0, 10.0 * std::log10(cell.sigma_m2)});
   return decibel_range({points}, least_span, floor_dbsm);

@@ -76,12 +76,12 @@ SphereView draw_sphere(Canvas& canvas, const Box& box, const DirectionMap& map, 
 }  // namespace
 
 SpherePair draw_sphere_plot(Canvas& canvas, const DirectionMap& map, const AspectAngles& from, const MapText& text) {
-  constexpr double border = 26.0;  // [pixel]
+  constexpr double border = 26.0, half_gap = 14.0;  // [pixel]
   const DecibelRange range = map_range(map, text.floor_dbsm);
   const double top = draw_header(canvas, {text.title, sphere_note(map_note(map, range)), {}});
   const double right = canvas.width() - map_bar_room + 30.0, middle = 0.5 * (border + right);
-  const SphereView front = draw_sphere(canvas, {{border, border}, {middle, top}}, map, range, from);
-  const SphereView back = draw_sphere(canvas, {{middle, border}, {right, top}}, map, range, opposite(from));
+  const SphereView front = draw_sphere(canvas, {{border, border}, {middle - half_gap, top}}, map, range, from);
+  const SphereView back = draw_sphere(canvas, {{middle + half_gap, border}, {right, top}}, map, range, opposite(from));
   draw_map_bar(canvas, front.centre.y - front.radius, front.centre.y + front.radius, range);
   return {front, back};
 }

@@ -1,6 +1,7 @@
 #include "view/sweep_plot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "view/cartesian_frame.h"
@@ -53,11 +54,22 @@ Axis decibel_axis(const DecibelRange& range) {
   return axis;
 }
 
+// The dBsm axis spans no less [dB]. Where bounds are told of, it may be less, for them to show.
+double least_span(const std::vector<Curve>& curves) {
+  constexpr double plain = 10.0, least = 2.0, told = 0.02;  // [dB]
+  constexpr double of_the_band = 40.0;
+  double widest = 0.0;
+  for (const Curve& curve : curves)
+    for (std::size_t i = 0; i < std::min(curve.bound_m2.size(), curve.sigma_m2.size()); ++i)
+      if (const double sigma = curve.sigma_m2[i], bound = curve.bound_m2[i]; bound < sigma)
+        widest = std::max(widest, 10.0 * std::log10((sigma + bound) / (sigma - bound)));
+  return widest < told ? plain : std::clamp(of_the_band * widest, least, plain);
+}
+
 }  // namespace
 
 CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
-  constexpr double least_span = 10.0;  // [dB]
-  const CutDrawing drawing = cut_drawing(curves, text, least_span, 0.7 * canvas.height());
+  const CutDrawing drawing = cut_drawing(curves, text, least_span(curves), 0.7 * canvas.height());
   const double top = draw_header(canvas, drawing.header);
   CartesianFrame frame =
       draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));

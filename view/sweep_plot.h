@@ -29,17 +29,18 @@ struct PlotText {
   std::optional<double> floor_dbsm = {};  // the lowest that is drawn; none: about 60 dB below the highest point
 };
 
-// Writes plots of cuts, PNG or SVG by the file's name, in dBsm = 10 log10(sigma / 1 m^2). They need no display and no
-// graphics driver. value: what lies below the floor is not drawn: the line stops there (in a polar plot at the centre)
-// and breaks beside sigma = 0. The plot says so, with the floor in dBsm; in a Cartesian plot
-//   ticks on the floor mark those directions. Up to 60 directions also get a dot each. A curve that comes back to its
-//   start within its own spacing is drawn closed. Angles that jump from 360 to 0 run on.
-//   From sigma - bound to sigma + bound lies a light band in the curve's colour, if it is wide enough to be seen; the
-//   curves are thin lines then, and the plot says what the band is.
+// Writes plots of cuts in dBsm = 10 log10(sigma / 1 m^2), PNG or SVG by the file's name. They need no display and no
+// graphics driver.
+// value: what lies below the floor is not drawn: the line stops there (in a polar plot at the centre) and breaks beside
+//   sigma = 0. The plot says so, with the floor in dBsm; in a Cartesian plot ticks on the floor mark those directions.
+//   Up to 60 directions also get a dot each. A curve that comes back to its start within its own spacing is drawn
+//   closed. Angles that jump from 360 to 0 run on. From sigma - bound to sigma + bound lies a light band in the curve's
+//   colour, if it is wide enough to be seen; the curves are thin lines then, and the plot says what the band is.
 // laws: the same curves give the same bytes.
-// domain: at least one curve, and the floor below the highest point, else std::invalid_argument; up to a dozen stay
-// readable. A legend names two or more. error: std::runtime_error where the file cannot be written. check:
-// tests/view/sweep_plot_test.cpp finds peaks, floors and gaps where they belong.
+// domain: at least one curve, the floor below the highest point, else std::invalid_argument; up to a dozen stay
+//   readable. A legend names two or more.
+// error: std::runtime_error where the file cannot be written.
+// check: tests/view/sweep_plot_test.cpp finds peaks, floors and gaps where they belong; sweep_band_test.cpp bands.
 
 // Cartesian, 1600 x 1000 pixels: dBsm against the angle.
 void draw_sweep_plot(const std::filesystem::path& file, const std::vector<Curve>& curves, const PlotText& text);

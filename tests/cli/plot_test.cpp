@@ -186,6 +186,7 @@ TEST_F(Plot, SaysWhatIsWrong) {
       {{"grid", "--kind", "map", "--elevation", "0"}, "--elevation: belongs to --kind cut, polar or parts"},
       {{"scene", "--label", "x", "--label", "y"}, "--label: expected one for each of 1 sweeps, found 2"},
       {{"scene", "--floor", "90"}, "--floor: expected less than the highest LRCS, "},
+      {{"scene", "--floor", "-1e9"}, "--floor: expected less than the highest LRCS, "},
       {{"scene", "--kind", "parts", "--floor", "0"}, "--floor: belongs to --kind cut, polar, map or sphere"},
       {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 800x600 to 8000x8000 pixels, found '100x100'"},
       {{"scene", "--size", "1600"}, "--size: expected WIDTHxHEIGHT"},

@@ -97,6 +97,18 @@ TEST(SweepBand, OfAnExactSweepChangesNothing) {
   EXPECT_EQ(with.svg().find("Band"), std::string::npos);
 }
 
+TEST(SweepBand, OfOnePercentShowsOnAFlatCurve) {
+  Curve curve = cosine(0.0);
+  for (std::size_t i = 0; i < curve.sigma_m2.size(); ++i) {
+    curve.sigma_m2[i] = 8.0 + 0.5 * curve.sigma_m2[i];
+    curve.bound_m2[i] = 0.01 * curve.sigma_m2[i];
+  }
+  const SvgReading svg = read_back(drawn_curves({curve}, plain));
+  const auto points = svg.points(svg.named("polygon", "fill", hex_of(curve_colour(0))).at(0));
+  const double line = SvgReading::number(svg.named("path", "stroke", hex_of(curve_colour(0))).at(0), "stroke-width");
+  EXPECT_GT(points.front().y - points.back().y, 4.0 * line);
+}
+
 TEST(SweepBand, IsTheCurvesOwnColour) {
   const SvgReading svg = read_back(drawn_curves({cosine(0.2), cosine(0.3)}, plain));
   EXPECT_EQ(svg.named("polygon", "fill", hex_of(curve_colour(0))).size(), 1U);
