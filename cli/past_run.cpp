@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/digest.h"
 #include "lrcs/sweep_csv.h"
 #include "mesh/file_content.h"
 
 namespace lrcs {
 namespace {
+
+constexpr const char* not_ours = "expected the manifest of a sweep by this version; run the sweep again";
 
 nlohmann::json manifest_of(const std::filesystem::path& file, const std::string& content) {
   try {
@@ -37,6 +41,20 @@ void require_same_inputs(const nlohmann::json& manifest, const Scene& scene, con
                    tabulated->file().digest);
 }
 
+// What is read of a result must be what the sweep wrote.
+void require_same_outputs(const std::filesystem::path& manifest_file, const nlohmann::json& manifest,
+                          const std::filesystem::path& folder) try {
+  for (const char* name : {"sweep.csv", scene_as_run}) {
+    const auto& outputs = manifest.at("outputs");
+    const auto told = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.at("file") == name; });
+    if (told == outputs.end())
+      throw InputError(Place{manifest_file.string()}, fmt::format("knows of no {}; run the sweep again", name));
+    require_same(folder / name, told->at("sha256").template get<std::string>(), digest_of_file(folder / name));
+  }
+} catch (const nlohmann::json::exception&) {
+  throw InputError(Place{manifest_file.string()}, not_ours);
+}
+
 }  // namespace
 
 PastRun read_past_run(const std::filesystem::path& folder) {
@@ -48,6 +66,7 @@ PastRun read_past_run(const std::filesystem::path& folder) {
   run.manifest = plain_content(manifest_file);
   const nlohmann::json manifest = manifest_of(manifest_file, run.manifest);
   run.csv = plain_content(folder / "sweep.csv");
+  require_same_outputs(manifest_file, manifest, folder);
   run.rows = read_sweep_csv(folder / "sweep.csv");
   run.scene = read_scene(folder / scene_as_run);
   if (run.scene.directions.size() != run.rows.size())
@@ -58,8 +77,7 @@ PastRun read_past_run(const std::filesystem::path& folder) {
   try {
     require_same_inputs(manifest, run.scene, run.loaded);
   } catch (const nlohmann::json::exception&) {
-    throw InputError(Place{manifest_file.string()},
-                     "expected the manifest of a sweep by this version; run the sweep again");
+    throw InputError(Place{manifest_file.string()}, not_ours);
   }
   // As they were computed: the file's angles of a bistatic receiver are rounded.
   for (std::size_t k = 0; k < run.rows.size(); ++k)

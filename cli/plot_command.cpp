@@ -40,10 +40,11 @@ PlotSize plot_size(const PlotOptions& options) {
     const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), pixels);
     return wrong == std::errc{} && end == word.data() + word.size();
   };
-  if (words.size() != 2 || !is_read(words[0], size.width) || !is_read(words[1], size.height) || size.width < 800 ||
-      size.height < 600 || size.width > 8000 || size.height > 8000)
+  // Letters keep their size: on less they would meet.
+  if (words.size() != 2 || !is_read(words[0], size.width) || !is_read(words[1], size.height) || size.width < 1200 ||
+      size.height < 900 || size.width > 8000 || size.height > 8000)
     throw InputError(
-        fmt::format("--size: expected WIDTHxHEIGHT, 800x600 to 8000x8000 pixels, found '{}'", options.size));
+        fmt::format("--size: expected WIDTHxHEIGHT, 1200x900 to 8000x8000 pixels, found '{}'", options.size));
   return size;
 }
 

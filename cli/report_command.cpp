@@ -18,7 +18,8 @@ namespace {
 
 // More facets are decimated for display; of so many bytes rows are stored, the others show the nearest of them.
 constexpr std::size_t most_facets = 60'000, most_bytes = 12'000'000;
-constexpr std::size_t most_parts = 65'535;  // [report/web/PAYLOAD.md]
+constexpr std::size_t most_part_returns = 3'000'000;  // 60 MB of them
+constexpr std::size_t most_parts = 65'535;            // [report/web/PAYLOAD.md]
 
 // Evenly along the sweep, the first and the last among them.
 std::vector<std::size_t> stored_rows(std::size_t rows, std::size_t facets) {
@@ -29,13 +30,15 @@ std::vector<std::size_t> stored_rows(std::size_t rows, std::size_t facets) {
 }
 
 // The facets' shares add up to the row of sweep.csv, or it is another target's.
-void require_same_sigma(const PastRun& run, std::size_t row, const Estimate& sigma) {
+void require_same_sigma(const std::filesystem::path& folder, const PastRun& run, std::size_t row,
+                        const Estimate& sigma) {
   if (run.scene.relative_accuracy) return;
   constexpr double rounding = 1e-12;
   const Estimate& before = run.rows[row].sigma;
   if (std::abs(sigma.value - before.value) <= before.bound + sigma.bound + rounding * before.value) return;
-  throw InputError(Place{"sweep.csv"}, fmt::format("row {} says {} m^2, its facets return {} m^2; run the sweep again",
-                                                   row, before.value, sigma.value));
+  throw InputError(
+      Place{(folder / "sweep.csv").string()},
+      fmt::format("row {} says {} m^2, its facets return {} m^2; run the sweep again", row, before.value, sigma.value));
 }
 
 void report(const std::filesystem::path& folder, const std::filesystem::path& html, const Common& common) {
@@ -44,6 +47,11 @@ void report(const std::filesystem::path& folder, const std::filesystem::path& ht
   if (mesh.part.names.size() > most_parts)
     throw std::runtime_error(
         fmt::format("a report holds at most {} parts, found {}", most_parts, mesh.part.names.size()));
+  if (mesh.part.names.size() * run.rows.size() > most_part_returns)
+    throw std::runtime_error(
+        fmt::format("a report holds at most {} returns of parts, parts times rows; found {} times {}",
+                    most_part_returns, mesh.part.names.size(), run.rows.size()));
+  const std::string run_facts = report_run_facts(run, folder / "manifest.json");
   const ShownTarget shown = shown_target(mesh, most_facets);
   ShownReturns returns(shown, stored_rows(run.rows.size(), shown.size()));
   std::vector<std::vector<double>> part_sigma(run.rows.size());
@@ -53,12 +61,12 @@ void report(const std::filesystem::path& folder, const std::filesystem::path& ht
   (void)run_sweep(run.loaded.target, aspects, common.threads,
                   {[&](std::size_t done) { bar.update(done); }, [](std::size_t) { return true; },
                    [&](std::size_t row, const SweepRow&, const CrossSection& section) {
-                     require_same_sigma(run, row, section.sigma);
+                     require_same_sigma(folder, run, row, section.sigma);
                      part_sigma[row] = part_returns(mesh, section.facet_sigma);
-                     if (returns.wants(row)) returns.take(row, section.facet_sigma, section.seen_fraction, mesh.areas);
+                     returns.take(row, section.facet_sigma, section.seen_fraction, mesh.areas);
                    }});
   const std::string page =
-      report_page(report_json(run, part_sigma, shown, returns), report_facets(run, shown, returns));
+      report_page(report_json(run, run_facts, part_sigma, shown, returns), report_facets(run, shown, returns));
   write_whole_file(html, page);
   if (common.quiet) return;
   constexpr double mega = 1e6;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/length.h"
@@ -35,7 +36,7 @@ std::string receiver_words(const Receiver& receiver) {
 // What a manifest says of what was skipped: counts that are not zero.
 Json skipped_facts(const Json& manifest) {
   Json facts = Json::array();
-  for (const auto& [name, value] : manifest.at("skipped").items()) {
+  for (const auto& [name, value] : manifest.at("skipped").get<std::map<std::string, Json>>()) {
     if (value.is_number() && value.get<double>() == 0.0) continue;
     std::string label = "Skipped: " + name;
     std::replace(label.begin(), label.end(), '_', ' ');
@@ -48,18 +49,18 @@ Json skipped_facts(const Json& manifest) {
 Json run_json(const PastRun& run, const Json& manifest) {
   const Scene& scene = run.scene;
   const auto& relative = scene.relative_accuracy;
-  return {{"command", manifest.at("command")},
-          {"started_utc", manifest.at("started_utc")},
-          {"scene_file", manifest.at("scene").at("file")},
-          {"scene_sha256", manifest.at("scene").at("sha256")},
+  return {{"command", manifest.at("command").get<std::vector<std::string>>()},
+          {"started_utc", manifest.at("started_utc").get<std::string>()},
+          {"scene_file", manifest.at("scene").at("file").get<std::string>()},
+          {"scene_sha256", manifest.at("scene").at("sha256").get<std::string>()},
           {"wavelength_m", scene.wavelength > 0.0 ? Json(scene.wavelength) : Json(nullptr)},
           {"accuracy", relative ? fmt::format("relative {}", *relative) : "exact"},
-          {"method", manifest.at("method")},
+          {"method", manifest.at("method").get<std::string>()},
           {"receiver", receiver_words(scene.receiver)},
-          {"threads", manifest.at("threads")},
-          {"read_seconds", manifest.at("seconds").at("read")},
-          {"sweep_seconds", manifest.at("seconds").at("sweep")},
-          {"warnings", manifest.at("warnings")},
+          {"threads", manifest.at("threads").get<std::size_t>()},
+          {"read_seconds", manifest.at("seconds").at("read").get<double>()},
+          {"sweep_seconds", manifest.at("seconds").at("sweep").get<double>()},
+          {"warnings", manifest.at("warnings").get<std::vector<std::string>>()},
           {"facts", skipped_facts(manifest)}};
 }
 
@@ -140,7 +141,11 @@ Json materials_json(const Target& target) {
   constexpr int steps = 170;  // to 85 deg
   const std::vector<double> theta_i{0.0, 30.0, 60.0}, theta_r = half_degrees(steps);
   std::vector<std::size_t> facets(target.materials.size(), 0);
-  for (const std::uint32_t m : target.material) ++facets[m];
+  const auto& back = target.back_material();
+  for (std::size_t f = 0; f < target.mesh.size(); ++f) {
+    ++facets[target.material[f]];
+    if (back[f] != target.material[f]) ++facets[back[f]];
+  }
   Json materials = Json::array();
   for (std::size_t m = 0; m < target.materials.size(); ++m) {
     Json curves = Json::array();
@@ -196,14 +201,20 @@ void append(std::vector<std::uint8_t>& bytes, const T& value) {
 
 }  // namespace
 
-std::string report_json(const PastRun& run, const std::vector<std::vector<double>>& part_sigma,
-                        const ShownTarget& shown, const ShownReturns& returns) {
-  const Json manifest = Json::parse(run.manifest);
-  const Cuts cuts = cuts_of(run.rows);
+std::string report_run_facts(const PastRun& run, const std::filesystem::path& manifest) try {
+  return run_json(run, Json::parse(run.manifest)).dump(-1, ' ', false, Json::error_handler_t::replace);
+} catch (const nlohmann::json::exception&) {
+  throw InputError(Place{manifest.string()}, "expected the manifest of a sweep by this version; run the sweep again");
+}
+
+std::string report_json(const PastRun& run, const std::string& run_facts,
+                        const std::vector<std::vector<double>>& part_sigma, const ShownTarget& shown,
+                        const ShownReturns& returns) {
+  const Cuts cuts = cuts_of_all(run.rows);
   const Json json{{"format", 1},
                   {"title", title_of(run.scene)},
                   {"version", version},
-                  {"run", run_json(run, manifest)},
+                  {"run", Json::parse(run_facts)},
                   {"target", target_json(run, shown)},
                   {"parts", parts_json(run.loaded.target.mesh)},
                   {"materials", materials_json(run.loaded.target)},

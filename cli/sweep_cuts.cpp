@@ -37,7 +37,7 @@ std::size_t longest(const std::vector<ViewedCut>& cuts) {
   return most;
 }
 
-ViewedCut cut_along_rows(const std::vector<SweepRow>& rows) {
+Cuts row_cut(const std::vector<SweepRow>& rows) {
   ViewedCut all{{"directions", {}, {}}, {}};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     all.curve.angle_deg.push_back(static_cast<double>(row));
@@ -45,7 +45,7 @@ ViewedCut cut_along_rows(const std::vector<SweepRow>& rows) {
     all.curve.bound_m2.push_back(rows[row].sigma.bound);
     all.rows.push_back(row);
   }
-  return all;
+  return {{all}, "row of sweep.csv", CutAngle::other};
 }
 
 }  // namespace
@@ -70,29 +70,26 @@ Cuts elevation_cuts(const std::vector<SweepRow>& rows) {
 Cuts cuts_of(const std::vector<SweepRow>& rows) {
   Cuts cuts = azimuth_cuts(rows);
   if (longest(cuts.cuts) <= 1 && rows.size() > 1) cuts = elevation_cuts(rows);
-  if (longest(cuts.cuts) <= 1 && rows.size() > 1) {
-    cuts.axis = "row of sweep.csv";
-    cuts.angle = CutAngle::other;
-    cuts.cuts = {cut_along_rows(rows)};
-  }
-  return cuts;
+  return longest(cuts.cuts) <= 1 && rows.size() > 1 ? row_cut(rows) : cuts;
+}
+
+Cuts cuts_of_all(const std::vector<SweepRow>& rows) {
+  Cuts cuts = cuts_of(rows);
+  std::size_t on_cuts = 0;
+  for (const ViewedCut& cut : cuts.cuts) on_cuts += cut.rows.size();
+  return on_cuts < rows.size() ? row_cut(rows) : cuts;
 }
 
 ViewedSweep viewed_sweep(const std::vector<SweepRow>& rows, const FacetMesh& mesh, std::string title) {
-  Cuts cuts = cuts_of(rows);
-  ViewedSweep sweep{&mesh, std::move(title), {"", cuts.axis, cuts.angle}, std::move(cuts.cuts), {}, {}};
-  std::map<std::pair<double, double>, ViewedSweep::Place> place_of_angles;
-  const auto angles_of_row = [&](std::size_t row) {
-    const AspectAngles& angles = rows[row].aspect.transmitter;
-    return std::pair(angles.azimuth_deg, angles.elevation_deg);
-  };
+  Cuts cuts = cuts_of_all(rows);
+  ViewedSweep sweep{&mesh, std::move(title), {"", cuts.axis, cuts.angle}, std::move(cuts.cuts), {}, {}, {}};
+  sweep.places.resize(rows.size());
   for (std::size_t cut = 0; cut < sweep.cuts.size(); ++cut)
     for (std::size_t point = 0; point < sweep.cuts[cut].rows.size(); ++point)
-      place_of_angles[angles_of_row(sweep.cuts[cut].rows[point])] = {cut, point};
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const bool by_row = sweep.axis.angle == CutAngle::other;
-    sweep.places.push_back(by_row ? ViewedSweep::Place{0, row} : place_of_angles.at(angles_of_row(row)));
-    sweep.bound_m2.push_back(rows[row].sigma.bound);
+      sweep.places[sweep.cuts[cut].rows[point]] = {cut, point};
+  for (const SweepRow& row : rows) {
+    sweep.sigma_m2.push_back(row.sigma.value);
+    sweep.bound_m2.push_back(row.sigma.bound);
   }
   return sweep;
 }

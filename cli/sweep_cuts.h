@@ -19,6 +19,9 @@ struct Cuts {
 };
 [[nodiscard]] Cuts cuts_of(const std::vector<SweepRow>& rows);
 
+// The same with every row on a cut: against the row's number where directions repeat.
+[[nodiscard]] Cuts cuts_of_all(const std::vector<SweepRow>& rows);
+
 // All cuts against azimuth, one an elevation; against elevation, one an azimuth. Some may have one direction only.
 [[nodiscard]] Cuts azimuth_cuts(const std::vector<SweepRow>& rows);
 [[nodiscard]] Cuts elevation_cuts(const std::vector<SweepRow>& rows);

@@ -3,31 +3,31 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "base/version.h"
+#include "base/whole_file.h"
+#include "lrcs/aspect_grid.h"
 
 namespace lrcs {
 namespace {
+
+constexpr double most_facet_bytes = 4e9;
 
 struct Dimension {
   std::string name;
   hsize_t size;
 };
 
-// All pairs of some elevations and azimuths, azimuth running fastest?
-std::size_t azimuths_of_grid(const std::vector<AspectAngles>& d) {
-  const auto other =
-      std::find_if(d.begin(), d.end(), [&](const AspectAngles& a) { return a.elevation_deg != d[0].elevation_deg; });
-  const auto azimuths = static_cast<std::size_t>(other - d.begin());
-  if (d.size() % azimuths != 0) return 0;
-  for (std::size_t k = 0; k < d.size(); ++k)
-    if (d[k].azimuth_deg != d[k % azimuths].azimuth_deg || d[k].elevation_deg != d[k - k % azimuths].elevation_deg)
-      return 0;
-  return azimuths;
+// Directions that repeat are no coordinates.
+std::size_t azimuths_of(const std::vector<AspectAngles>& directions) {
+  std::set<std::pair<double, double>> different;
+  for (const auto& [azimuth, elevation] : directions) different.emplace(azimuth, elevation);
+  return different.size() == directions.size() ? azimuths_of_grid(directions) : 0;
 }
 
 template <class T, class Of>
@@ -37,7 +37,7 @@ std::vector<T> collected(std::size_t size, const Of& of) {
   return values;
 }
 
-// HDF5's own complaints go nowhere; what failed is said by whoever called.
+// HDF5's own complaints go nowhere, thread by thread; what failed is said by whoever called.
 void keep_quiet() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -45,7 +45,7 @@ void keep_quiet() {
 }  // namespace
 
 struct SweepHdf5::Hidden {
-  std::filesystem::path file, unfinished;
+  std::filesystem::path file;
   const Scene& scene;
   const LoadedTarget& loaded;
   std::vector<std::size_t> facet_rows;
@@ -53,7 +53,8 @@ struct SweepHdf5::Hidden {
   hid_t facet_sigma = H5I_INVALID_HID, seen_fraction = H5I_INVALID_HID;
 
   [[noreturn]] void fail() const { throw std::runtime_error(file.string() + ": cannot be written as HDF5"); }
-  hid_t good(hid_t status) const {
+  template <class Status>
+  Status good(Status status) const {
     if (status < 0) fail();
     return status;
   }
@@ -127,6 +128,8 @@ struct SweepHdf5::Hidden {
     put_scale(material, "number of the material");
     put_numbers("part", {facet}, "part of the facet", {target.mesh.part.of.begin(), target.mesh.part.of.end()});
     put_numbers("material", {facet}, "material of the facet's front", {target.material.begin(), target.material.end()});
+    const auto& back = target.back_material();
+    put_numbers("material_back", {facet}, "material of the facet's back", {back.begin(), back.end()});
     put_numbers("source_facet", {facet}, "number of the polygon in the target's file",
                 {target.mesh.source_facet.begin(), target.mesh.source_facet.end()});
     put("area", {facet}, "m2", "area of the facet", target.mesh.areas);
@@ -152,7 +155,7 @@ struct SweepHdf5::Hidden {
     };
     const auto transmitter_azimuth = of([](const SweepRow& r) { return r.aspect.transmitter.azimuth_deg; });
     const auto transmitter_elevation = of([](const SweepRow& r) { return r.aspect.transmitter.elevation_deg; });
-    const std::size_t azimuths = azimuths_of_grid(scene.directions);
+    const std::size_t azimuths = azimuths_of(scene.directions);
     std::vector<Dimension> along{{"row", rows.size()}};
     if (azimuths > 0) {
       along = {{"elevation", rows.size() / azimuths}, {"azimuth", azimuths}};
@@ -178,14 +181,23 @@ struct SweepHdf5::Hidden {
 
 SweepHdf5::SweepHdf5(std::filesystem::path file, const Scene& scene, const LoadedTarget& loaded,
                      std::vector<std::size_t> facet_rows)
-    : hidden_(new Hidden{std::move(file), {}, scene, loaded, std::move(facet_rows)}) {
+    : hidden_(new Hidden{std::move(file), scene, loaded, std::move(facet_rows)}) {
   Hidden& h = *hidden_;
   keep_quiet();
-  h.unfinished = h.file.parent_path() / fmt::format(".{}.{}.part", h.file.filename().string(), getpid());
-  const hid_t timeless = h.good(H5Pcreate(H5P_FILE_CREATE));
+  const double facet_bytes =
+      16.0 * static_cast<double>(h.facet_rows.size()) * static_cast<double>(loaded.target.mesh.size());
+  if (facet_bytes > most_facet_bytes)
+    throw InputError(
+        fmt::format("--hdf5: the facets of {} rows take {:.1f} GB, expected at most {:.0f} GB; ask for fewer",
+                    h.facet_rows.size(), 1e-9 * facet_bytes, 1e-9 * most_facet_bytes));
+  // In memory, to be written whole.
+  const hid_t timeless = h.good(H5Pcreate(H5P_FILE_CREATE)), in_memory = h.good(H5Pcreate(H5P_FILE_ACCESS));
   h.good(H5Pset_obj_track_times(timeless, false));
-  h.id = h.good(H5Fcreate(h.unfinished.c_str(), H5F_ACC_TRUNC, timeless, H5P_DEFAULT));
+  constexpr std::size_t step = std::size_t{1} << 20U;  // [bytes]
+  h.good(H5Pset_fapl_core(in_memory, step, false));
+  h.id = h.good(H5Fcreate(h.file.c_str(), H5F_ACC_TRUNC, timeless, in_memory));
   H5Pclose(timeless);
+  H5Pclose(in_memory);
   const hid_t root = h.good(H5Gopen2(h.id, "/", H5P_DEFAULT));
   h.say(root, "title", "laser radar cross section of " + scene.target.file.filename().string());
   h.say(root, "program", fmt::format("lrcs {}", version));
@@ -200,11 +212,10 @@ SweepHdf5::~SweepHdf5() {
   if (hidden_->facet_sigma >= 0) H5Dclose(hidden_->facet_sigma);
   if (hidden_->seen_fraction >= 0) H5Dclose(hidden_->seen_fraction);
   if (hidden_->id >= 0) H5Fclose(hidden_->id);
-  std::error_code gone;
-  std::filesystem::remove(hidden_->unfinished, gone);
 }
 
 void SweepHdf5::write_facets(std::size_t row, const CrossSection& section) {
+  keep_quiet();
   const auto& rows = hidden_->facet_rows;
   const auto place = static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
   hidden_->put_row(hidden_->facet_sigma, place, section.facet_sigma);
@@ -218,9 +229,10 @@ void SweepHdf5::finish(const std::vector<SweepRow>& rows) {
     if (*data >= 0) h.good(H5Dclose(*data));
     *data = H5I_INVALID_HID;
   }
-  const hid_t id = std::exchange(h.id, H5I_INVALID_HID);
-  h.good(H5Fclose(id));
-  std::filesystem::rename(h.unfinished, h.file);
+  h.good(H5Fflush(h.id, H5F_SCOPE_GLOBAL));
+  std::string content(static_cast<std::size_t>(h.good(H5Fget_file_image(h.id, nullptr, 0))), '\0');
+  h.good(H5Fget_file_image(h.id, content.data(), content.size()));
+  write_whole_file(h.file, content);
 }
 
 }  // namespace lrcs

@@ -27,6 +27,7 @@ namespace lrcs {
 namespace {
 
 constexpr const char* hdf5_name = "sweep.h5";
+constexpr const char* series_name = "facets.pvd";
 // Where pictures of facets wait until the sweep is done: they are drawn from the main thread only.
 constexpr std::size_t picture_memory = std::size_t{256} << 20U;  // [bytes]
 
@@ -50,10 +51,12 @@ SweepResults::SweepResults(std::filesystem::path folder, const Scene& scene, con
   if (scene.facets.all)
     for (std::size_t k = 0; k < files_of_row_.size(); ++k) files_of_row_[k] = {k};
   make_folder(folder_);
-  std::error_code failed;
-  std::filesystem::remove(folder_ / "manifest.json", failed);
-  if (failed)
-    throw InputError(Place{(folder_ / "manifest.json").string()}, fmt::format("is in the way: {}", failed.message()));
+  // The manifest first: without it nothing counts. What this run may not write must not be taken for its own.
+  for (const char* name : {"manifest.json", hdf5_name, series_name, "report.html"}) {
+    std::error_code failed;
+    std::filesystem::remove(folder_ / name, failed);
+    if (failed) throw InputError(Place{(folder_ / name).string()}, fmt::format("is in the way: {}", failed.message()));
+  }
   if (!with_hdf5) return;
   std::vector<std::size_t> with_facets;
   for (std::size_t row = 0; row < files_of_row_.size(); ++row)
@@ -100,8 +103,8 @@ void SweepResults::write_series() {
   std::string pvd = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const auto& [row, name] : file_of_row)
     pvd += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", row, name);
-  write_whole_file(folder_ / "facets.pvd", pvd + "  </Collection>\n</VTKFile>\n");
-  keep("facets.pvd");
+  write_whole_file(folder_ / series_name, pvd + "  </Collection>\n</VTKFile>\n");
+  keep(series_name);
 }
 
 void SweepResults::attempt(const std::string& name,

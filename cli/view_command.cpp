@@ -25,7 +25,7 @@ namespace {
 
 struct Options {
   std::string input, png, size = "1600x900", colour = "contribution", scale = "dB", per = "area";
-  std::size_t aspect = 0;
+  std::int64_t aspect = 0;
   double range = 40.0;
 };
 
@@ -52,8 +52,8 @@ std::array<int, 2> size_from_words(const std::string& words) {
   const auto height = std::from_chars(std::min(begin + cross + 1, end), end, size[1]);
   const bool is_read =
       width.ec == std::errc{} && width.ptr == begin + cross && height.ec == std::errc{} && height.ptr == end;
-  if (!is_read || size[0] < 400 || size[1] < 300 || size[0] > 8000 || size[1] > 8000)
-    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT, 400x300 to 8000x8000 pixels, found '{}'", words));
+  if (!is_read || size[0] < 640 || size[1] < 360 || size[0] > 8000 || size[1] > 8000)
+    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT, 640x360 to 8000x8000 pixels, found '{}'", words));
   return size;
 }
 
@@ -64,16 +64,20 @@ FacetShowing showing_of(const Options& options) {
     if (options.colour == quantities[k]) showing.quantity = static_cast<FacetQuantity>(k);
   showing.in_decibels = options.scale == "dB";
   showing.per_area = options.per == "area";
+  if (!(options.range >= 1.0 && options.range <= 200.0))
+    throw InputError(fmt::format("--range: expected 1 to 200 dB, found {}", options.range));
   showing.darkest = -options.range;
   return showing;
 }
 
 void view(const Options& options, const Common& common) {
   const auto [width, height] = size_from_words(options.size);
+  const FacetShowing showing = showing_of(options);
   const PastRun run = run_of(options.input, common);
-  if (options.aspect >= run.rows.size())
+  if (options.aspect < 0 || options.aspect >= static_cast<std::int64_t>(run.rows.size()))
     throw InputError(
         fmt::format("--aspect: expected a row of the sweep, 0 to {}, found {}", run.rows.size() - 1, options.aspect));
+  const auto first = static_cast<std::size_t>(options.aspect);
   std::optional<tbb::global_control> allowed;
   if (common.threads != 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, common.threads);
   const Target& target = run.loaded.target;
@@ -81,20 +85,20 @@ void view(const Options& options, const Common& common) {
   if (!is_convex_body(target.mesh)) visibility.emplace(target.mesh);
   FacetSections sections(target, visibility ? &*visibility : nullptr);
   const ViewedSweep sweep = viewed_sweep(run.rows, target.mesh, title_of(run.scene));
-  RowsAhead rows(
-      [&](std::size_t row) {
-        const CrossSection& section = sections.at(run.rows[row].aspect);
-        return facet_result(target, {run.rows[row].aspect, section.sigma, section.seen_area}, section);
-      },
-      run.rows.size());
-  AspectView view(sweep, [&](std::size_t row) { return rows.at(row); });
-  view.go_to(options.aspect);
-  view.show(showing_of(options));
-  view.look_from_receiver(false);
+  const AspectView::Compute compute = [&](std::size_t row) {
+    const CrossSection& section = sections.at(run.rows[row].aspect);
+    return facet_result(target, {run.rows[row].aspect, section.sigma, section.seen_area}, section);
+  };
   if (!options.png.empty()) {
+    AspectView view(sweep, compute, first);
+    view.show(showing);
     write_png(options.png, view.picture(width, height));
     return;
   }
+  RowsAhead rows(compute, run.rows.size());
+  AspectView view(
+      sweep, [&](std::size_t row) { return rows.at(row); }, first);
+  view.show(showing);
   const bool is_folder = std::filesystem::is_directory(options.input);
   show_aspect_window(view, "lrcs: " + sweep.title, is_folder ? options.input : ".",
                      [](const std::string& line) { fmt::print("{}\n", line), std::fflush(stdout); });
@@ -114,7 +118,7 @@ void add_view_command(CLI::App& app, Common& common) {
   verb->add_option("--scale", options->scale, "Of contributions (default dB)")->check(CLI::IsMember({"dB", "linear"}));
   verb->add_option("--per", options->per, "Contributions over the facet's area, or of the facet (default area)")
       ->check(CLI::IsMember({"area", "facet"}));
-  verb->add_option("--range", options->range, "Decibels that colours span (default 40)")->check(CLI::Range(1.0, 200.0));
+  verb->add_option("--range", options->range, "Decibels that colours span (default 40)");
   add_common_flags(*verb, common);
   verb->callback([options, &common] { view(*options, common); });
 }

@@ -152,8 +152,8 @@ FacetMaterials assign_materials(const FacetMesh& mesh, const Scene& scene) {
         scene.assign_place,
         fmt::format("{} of {} facets have no material, the first in part {}{}: expected a rule for each, or a last "
                     "rule {{default: MATERIAL}}",
-                    std::count(material.begin(), material.end(), unassigned), mesh.size(), quoted(name_of(mesh.part, k)),
-                    also_told(mesh, k)));
+                    std::count(material.begin(), material.end(), unassigned), mesh.size(),
+                    quoted(name_of(mesh.part, k)), also_told(mesh, k)));
   }
   if (back == material) back.clear();
   return {std::move(material), std::move(back)};

@@ -9,6 +9,7 @@
 #include "base/path_from.h"
 #include "brdf/material_yaml.h"
 #include "brdf/yaml_words.h"
+#include "lrcs/aspect_grid.h"
 
 namespace lrcs {
 namespace {
@@ -56,23 +57,10 @@ std::string rule_to_yaml(const AssignRule& rule) {
   return yaml;
 }
 
-// Are these all pairs of some azimuths, running fastest, and some elevations?
-bool is_grid(const std::vector<AspectAngles>& directions, std::size_t azimuths) {
-  if (azimuths == 0 || directions.size() % azimuths != 0) return false;
-  for (std::size_t k = 0; k < directions.size(); ++k)
-    if (directions[k].azimuth_deg != directions[k % azimuths].azimuth_deg ||
-        directions[k].elevation_deg != directions[k - k % azimuths].elevation_deg)
-      return false;
-  return true;
-}
-
 std::string sweep_to_yaml(const std::vector<AspectAngles>& directions) {
-  const auto other = std::find_if(directions.begin(), directions.end(), [&](const AspectAngles& a) {
-    return a.elevation_deg != directions.front().elevation_deg;
-  });
-  const auto azimuths = static_cast<std::size_t>(other - directions.begin());
+  const std::size_t azimuths = azimuths_of_grid(directions);
   std::vector<std::string> words;
-  if (!is_grid(directions, azimuths)) {
+  if (azimuths == 0) {
     for (const auto& [azimuth, elevation] : directions) words.push_back(fmt::format("[{}, {}]", azimuth, elevation));
     return fmt::format("sweep:\n  directions: [{}]\n", fmt::join(words, ", "));
   }

@@ -40,26 +40,24 @@ void ShownReturns::take(std::size_t row, const std::vector<double>& facet_sigma,
     sigma[shown_.shown_of[k]] += facet_sigma[k];
     seen[shown_.shown_of[k]] += seen_fraction[k] * facet_area[k];
   }
-  auto &per_area = per_area_[place_of(row)], &seen_part = seen_[place_of(row)];
+  std::vector<float> per_area(shown_.size(), 0.0F), seen_part(shown_.size(), 0.0F);
   for (std::size_t k = 0; k < shown_.size(); ++k) {
-    const double area = shown_.area[k];
-    per_area.push_back(area > 0.0 ? static_cast<float>(sigma[k] / area) : 0.0F);
-    seen_part.push_back(area > 0.0 ? static_cast<float>(std::min(1.0, seen[k] / area)) : 0.0F);
+    const std::uint32_t of = shown_.value_of[k];
+    if (!(shown_.area[of] > 0.0)) continue;
+    per_area[k] = static_cast<float>(sigma[of] / shown_.area[of]);
+    seen_part[k] = static_cast<float>(std::min(1.0, seen[of] / shown_.area[of]));
+    brightest_ = std::max<double>(brightest_, per_area[k]);
   }
-}
-
-double ShownReturns::brightest() const {
-  float most = 0.0F;
-  for (const auto& row : per_area_)
-    for (const float value : row) most = std::max(most, value);
-  return most;
+  if (!wants(row)) return;
+  per_area_[place_of(row)] = std::move(per_area);
+  seen_[place_of(row)] = std::move(seen_part);
 }
 
 std::vector<std::uint8_t> ShownReturns::levels() const {
-  const double most = brightest();
   const auto level_of = [&](float value, float seen) -> std::uint8_t {
     if (seen <= 0.0F) return 0;
-    const double decibels = value > 0.0F ? 10.0 * std::log10(value / most) : -std::numeric_limits<double>::infinity();
+    const double decibels =
+        value > 0.0F ? 10.0 * std::log10(value / brightest_) : -std::numeric_limits<double>::infinity();
     return static_cast<std::uint8_t>(std::lround(std::clamp(1.0 + (decibels - floor_db) / step_db, 1.0, 255.0)));
   };
   std::vector<std::vector<std::uint8_t>> levels(rows_.size());
@@ -72,7 +70,8 @@ std::vector<std::uint8_t> ShownReturns::levels() const {
 std::vector<std::uint8_t> ShownReturns::seen() const {
   std::vector<std::vector<std::uint8_t>> parts(rows_.size());
   for (std::size_t row = 0; row < rows_.size(); ++row)
-    for (const float part : seen_[row]) parts[row].push_back(static_cast<std::uint8_t>(std::lround(255.0F * part)));
+    for (const float part : seen_[row])
+      parts[row].push_back(static_cast<std::uint8_t>(std::max(part > 0.0F ? 1L : 0L, std::lround(255.0F * part))));
   return by_facet_as_differences(parts);
 }
 

@@ -27,6 +27,7 @@ ShownTarget as_it_is(const FacetMesh& mesh) {
   shown.part = mesh.part.of;
   shown.area = mesh.areas;
   for (std::uint32_t k = 0; k < mesh.size(); ++k) shown.shown_of.push_back(k);
+  shown.value_of = shown.shown_of;
   return shown;
 }
 
@@ -61,6 +62,31 @@ vtkSmartPointer<vtkPolyData> decimated(vtkPolyData* facets, double kept) {
   return result->GetNumberOfPolys() > 0 ? result : vtkSmartPointer<vtkPolyData>(facets);
 }
 
+Vec3 at(const ShownTarget& shown, std::uint32_t vertex) {
+  const auto& p = shown.positions[vertex];
+  return {p[0], p[1], p[2]};
+}
+
+// The facet that is nearest to a place.
+class Nearest {
+ public:
+  explicit Nearest(vtkPolyData* facets) {
+    locator_->SetDataSet(facets);
+    locator_->BuildLocator();
+  }
+  [[nodiscard]] std::uint32_t to(const Vec3& place) const {
+    std::array<double, 3> closest{};
+    vtkIdType cell = 0;
+    int sub = 0;
+    double distance2 = 0.0;
+    locator_->FindClosestPoint(place.data(), closest.data(), cell, sub, distance2);
+    return static_cast<std::uint32_t>(std::max<vtkIdType>(0, cell));
+  }
+
+ private:
+  vtkNew<vtkStaticCellLocator> locator_;
+};
+
 void add_part(ShownTarget& shown, const FacetMesh& mesh, std::uint32_t part, const std::vector<std::uint32_t>& facets,
               double kept) {
   const auto all = facets_of(mesh, facets);
@@ -79,19 +105,17 @@ void add_part(ShownTarget& shown, const FacetMesh& mesh, std::uint32_t part, con
     shown.part.push_back(part);
   }
   shown.area.resize(shown.size(), 0.0);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(few);
-  locator->BuildLocator();
+  const Nearest nearest_shown(few), nearest(all);
   for (const std::uint32_t k : facets) {
     const auto corners = mesh.corners(k);
-    const Vec3 middle = mesh.metres_per_unit / 3.0 * (corners[0] + corners[1] + corners[2]);
-    std::array<double, 3> closest{};
-    vtkIdType cell = 0;
-    int sub = 0;
-    double distance2 = 0.0;
-    locator->FindClosestPoint(middle.data(), closest.data(), cell, sub, distance2);
-    shown.shown_of[k] = first_facet + static_cast<std::uint32_t>(std::max<vtkIdType>(0, cell));
+    shown.shown_of[k] =
+        first_facet + nearest_shown.to(mesh.metres_per_unit / 3.0 * (corners[0] + corners[1] + corners[2]));
     shown.area[shown.shown_of[k]] += mesh.areas[k];
+  }
+  for (std::uint32_t k = first_facet; k < shown.size(); ++k) {
+    const auto& [a, b, c] = shown.triangles[k];
+    const Vec3 middle = (at(shown, a) + at(shown, b) + at(shown, c)) / 3.0;
+    shown.value_of.push_back(shown.area[k] > 0.0 ? k : shown.shown_of[facets[nearest.to(middle)]]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/compensated_sum.h"
 #include "view/part_returns.h"
 #include "view/scale_bar.h"
 #include "view/shortened_text.h"
@@ -20,7 +21,7 @@ std::string degrees(double azimuth_deg, double elevation_deg) {
 }
 
 std::string dbsm_words(double sigma_m2) {
-  return sigma_m2 > 0.0 ? tick_label(10.0 * std::log10(sigma_m2), 0.01) : "−∞";
+  return sigma_m2 > 0.0 ? tick_label(10.0 * std::log10(sigma_m2), 0.01) : "−inf";
 }
 
 std::string aspect_words(const FacetResult& r) {
@@ -31,6 +32,13 @@ std::string aspect_words(const FacetResult& r) {
   return "transmitter " + degrees(r.transmitter_azimuth_deg, r.transmitter_elevation_deg) + "; receiver " + receiver;
 }
 
+// A sweep may be sampled; its facets are not.
+std::string sampled_words(double sigma_m2, double facets_m2) {
+  constexpr double same = 1e-9;
+  if (std::abs(sigma_m2 - facets_m2) <= same * facets_m2) return "";
+  return "; facets, exactly: " + number_label(facets_m2, 6) + " m²";
+}
+
 bool holds(const Box& box, const Point& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
@@ -39,7 +47,7 @@ bool holds(const Box& box, const Point& p) {
 
 AspectSheet::AspectSheet(const ViewedSweep& sweep, int width, int height)
     : sweep_(sweep), width_(width), height_(height), unit_(std::min(width / 1600.0, height / 900.0)) {
-  if (width < 400 || height < 300) throw std::invalid_argument("a sheet is at least 400 x 300 pixels");
+  if (width < 640 || height < 360) throw std::invalid_argument("a sheet is at least 640 x 360 pixels");
 }
 
 Font AspectSheet::font(double size, bool bold) const {
@@ -99,8 +107,9 @@ void AspectSheet::draw_words(Canvas& canvas, const AspectFacts& facts) const {
   };
   line(sweep_.title, 14.0, font(22.0, true), ink);
   line(aspect_words(r), 44.0, font(20.0), ink);
-  line("LRCS " + number_label(r.sigma_total_m2, 6) + " m² ± " + number_label(sweep_.bound_m2[facts.row], 2) + " m², " +
-           dbsm_words(r.sigma_total_m2) + " dBsm",
+  const double sigma = sweep_.sigma_m2[facts.row];
+  line("LRCS " + number_label(sigma, 6) + " m² ± " + number_label(sweep_.bound_m2[facts.row], 2) + " m², " +
+           dbsm_words(sigma) + " dBsm" + sampled_words(sigma, r.sigma_total_m2),
        72.0, font(20.0), ink);
   double top = 108.0;
   for (const std::string& text : facts.picked) {
@@ -141,23 +150,21 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
   double y = box.high.y - 0.5 * row;
   cells(y, bold, strongest.size() < most ? "parts that return" : "ten strongest parts", "LRCS [m²]", "[dBsm]", "[%]");
   canvas.line({{box.low.x, y - 0.5 * row}, {box.high.x, y - 0.5 * row}}, {ink, 1.5 * unit_});
-  double shown = 0.0;
   for (const std::uint32_t part : strongest) {
     y -= row;
     const double sigma = facts.part_sigma[part];
-    shown += sigma;
     table_rows_.push_back({{{box.low.x, y - 0.5 * row}, {box.high.x, y + 0.5 * row}}, part});
     if (facts.part == part) canvas.fill(table_rows_.back().first, {1.0, 0.88, 0.85});
     cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 5), dbsm_words(sigma),
           tick_label(100.0 * sigma / total, 0.1));
   }
-  const double rest = std::max(0.0, total - shown);
-  const auto returning = static_cast<std::size_t>(
-      std::count_if(facts.part_sigma.begin(), facts.part_sigma.end(), [](double sigma) { return sigma > 0.0; }));
-  if (returning > strongest.size()) {
+  const auto returning = strongest_parts(facts.part_sigma, facts.part_sigma.size());
+  if (const std::size_t others = returning.size() - strongest.size(); others > 0) {
+    CompensatedSum rest;
+    for (std::size_t k = strongest.size(); k < returning.size(); ++k) rest.add(facts.part_sigma[returning[k]]);
     y -= row;
-    cells(y, plain, std::to_string(returning - strongest.size()) + " others", number_label(rest, 5), dbsm_words(rest),
-          tick_label(100.0 * rest / total, 0.1));
+    cells(y, plain, others == 1 ? "1 other" : std::to_string(others) + " others", number_label(rest.value(), 5),
+          dbsm_words(rest.value()), tick_label(100.0 * rest.value() / total, 0.1));
   }
   y -= row;
   canvas.line({{box.low.x, y + 0.5 * row}, {box.high.x, y + 0.5 * row}}, {ink, 1.5 * unit_});

@@ -24,7 +24,7 @@ struct AspectFacts {
 
 // The paper of `lrcs view`: title and sigma above, room for the target with its colour bar, the sweep's curve with a
 // marker at this aspect, the strongest parts, a slider along the sweep's rows below.
-// shape: width x height pixels, at least 400 x 300; letters follow the size.
+// shape: width x height pixels, at least 640 x 360; letters follow the size.
 class AspectSheet {
  public:
   AspectSheet(const ViewedSweep& sweep, int width, int height);

@@ -19,9 +19,9 @@ std::string square_metres(double sigma_m2) {
 
 }  // namespace
 
-AspectView::AspectView(const ViewedSweep& sweep, Compute compute)
+AspectView::AspectView(const ViewedSweep& sweep, Compute compute, std::size_t row)
     : sweep_(sweep), compute_(std::move(compute)), scene_(*sweep.mesh) {
-  go_to(0);
+  go_to(row);
   scene_.look_beside(to_receiver());
 }
 
@@ -92,6 +92,8 @@ void AspectView::look_from_receiver(bool along) {
 void AspectView::resize(int width, int height) {
   sheet_.emplace(sweep_, width, height);
   scene_.set_letters(sheet_->letters());
+  const Box box = sheet_->target();
+  scene_.fit((box.high.x - box.low.x) / (box.high.y - box.low.y));
 }
 
 Picture AspectView::paper(const std::string& keys) {

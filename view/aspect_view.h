@@ -20,7 +20,8 @@ class AspectView {
   // The facets' result at a row of the sweep; asked for each row that is shown.
   using Compute = std::function<FacetResult(std::size_t row)>;
 
-  AspectView(const ViewedSweep& sweep, Compute compute);
+  // row: to begin with. domain: one of the sweep, else std::out_of_range.
+  AspectView(const ViewedSweep& sweep, Compute compute, std::size_t row = 0);
 
   // domain: a row of the sweep, else std::out_of_range.
   void go_to(std::size_t row);

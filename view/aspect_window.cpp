@@ -3,6 +3,7 @@
 #include <X11/Xlib.h>
 #include <fmt/format.h>
 #include <vtkActor2D.h>
+#include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
 #include <vtkImageMapper.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -86,11 +87,11 @@ class AspectStyle : public vtkInteractorStyleTrackballCamera {
 
   void OnKeyPress() override {
     const std::string key = Interactor->GetKeySym() == nullptr ? "" : Interactor->GetKeySym();
-    const auto last = static_cast<long>(work.view->rows()) - 1, row = static_cast<long>(work.view->row());
+    const long last = last_row(), row = wanted_;
     if (key == "Left") return go_to(row - 1);
     if (key == "Right") return go_to(row + 1);
-    if (key == "Prior" || key == "Down") return go_to(row - 10);
-    if (key == "Next" || key == "Up") return go_to(row + 10);
+    if (key == "Prior") return go_to(row - 10);
+    if (key == "Next") return go_to(row + 10);
     if (key == "Home") return go_to(0);
     if (key == "End") return go_to(last);
     if (key == "space") return play();
@@ -104,10 +105,20 @@ class AspectStyle : public vtkInteractorStyleTrackballCamera {
     show(key);
   }
 
-  void OnTimer() override {
-    if (timer_ == 0) return work.smooth();
-    go_to(work.view->row() + 1 < work.view->rows() ? static_cast<long>(work.view->row()) + 1 : 0);
+  // Rows that were passed over while one was drawn are not drawn: X hands out timers when no key or mouse waits.
+  void take_timer(int timer) {
+    if (timer == play_timer_) {
+      wanted_ = wanted_ < last_row() ? wanted_ + 1 : 0;
+      return show_wanted();
+    }
+    if (timer != go_timer_) return work.smooth();
+    go_timer_ = 0;
+    show_wanted();
   }
+
+  void OnTimer() override {}  // does not tell which
+
+  void begin() { wanted_ = static_cast<long>(work.view->row()); }
 
  private:
   [[nodiscard]] Point position() const {
@@ -121,11 +132,14 @@ class AspectStyle : public vtkInteractorStyleTrackballCamera {
   void tell(const std::vector<std::string>& lines) const {
     for (const std::string& line : lines) work.say(line);
   }
+  [[nodiscard]] long last_row() const { return static_cast<long>(work.view->rows()) - 1; }
   void go_to(long row) {
-    const auto last = static_cast<long>(work.view->rows()) - 1;
-    const auto wanted = static_cast<std::size_t>(std::clamp(row, 0L, last));
-    if (wanted == work.view->row()) return;
-    work.view->go_to(wanted);
+    wanted_ = std::clamp(row, 0L, last_row());
+    if (go_timer_ == 0) go_timer_ = Interactor->CreateOneShotTimer(1);
+  }
+  void show_wanted() {
+    if (wanted_ == static_cast<long>(work.view->row())) return;
+    work.view->go_to(static_cast<std::size_t>(wanted_));
     work.draw();
   }
   void scrub() {
@@ -133,12 +147,8 @@ class AspectStyle : public vtkInteractorStyleTrackballCamera {
   }
   void play() {
     constexpr unsigned long between = 50;  // [ms]
-    if (timer_ != 0) {
-      Interactor->DestroyTimer(timer_);
-      timer_ = 0;
-    } else {
-      timer_ = Interactor->CreateRepeatingTimer(between);
-    }
+    if (play_timer_ != 0) Interactor->DestroyTimer(play_timer_);
+    play_timer_ = play_timer_ != 0 ? 0 : Interactor->CreateRepeatingTimer(between);
   }
   void show(const std::string& key) {
     FacetShowing showing = work.view->showing();
@@ -159,7 +169,8 @@ class AspectStyle : public vtkInteractorStyleTrackballCamera {
 
   Point pressed_;
   bool turning_ = false, scrubbing_ = false, along_ = false;
-  int timer_ = 0;
+  long wanted_ = 0;  // row to be shown next
+  int play_timer_ = 0, go_timer_ = 0;
 };
 
 // VTK ends the process where it finds no display.
@@ -202,6 +213,11 @@ class AspectWindow {
     style_->SetDefaultRenderer(view_.scene().renderer());
     interactor_->SetInteractorStyle(style_);
     interactor_->AddObserver(vtkCommand::ConfigureEvent, this, &AspectWindow::fit);
+    timers_->SetClientData(style_.Get());
+    timers_->SetCallback([](vtkObject*, unsigned long, void* style, void* timer) {
+      static_cast<AspectStyle*>(style)->take_timer(*static_cast<int*>(timer));
+    });
+    interactor_->AddObserver(vtkCommand::TimerEvent, timers_);
   }
 
   ~AspectWindow() {
@@ -212,6 +228,7 @@ class AspectWindow {
   AspectWindow& operator=(const AspectWindow&) = delete;
 
   void run() {
+    style_->begin();
     fit();
     interactor_->Initialize();
     smooth();
@@ -221,7 +238,7 @@ class AspectWindow {
  private:
   void fit() {
     const int* size = window_->GetSize();
-    const int width = std::max(400, size[0]), height = std::max(300, size[1]);
+    const int width = std::max(640, size[0]), height = std::max(360, size[1]);
     if (width == width_ && height == height_) return;
     width_ = width, height_ = height;
     view_.resize(width, height);
@@ -275,6 +292,7 @@ class AspectWindow {
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<AspectStyle> style_;
+  vtkNew<vtkCallbackCommand> timers_;
   Picture picture_;
   vtkSmartPointer<vtkImageData> paper_;
   int width_ = 0, height_ = 0, timer_ = 0;

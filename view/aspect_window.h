@@ -16,7 +16,7 @@ void show_aspect_window(AspectView& view, const std::string& title, const std::f
                         const std::function<void(const std::string&)>& say);
 
 inline constexpr const char* aspect_window_keys =
-    "arrows, PgUp, PgDn, Home, End: aspect   space: play   c: colours   d: dB   a: per area   f: range   l: from "
+    "left, right, PgUp, PgDn, Home, End: aspect   space: play   c: colours   d: dB   a: per area   f: range   l: from "
     "sensor   s: save   q: quit";
 
 }  // namespace lrcs

@@ -24,10 +24,11 @@ struct SurfaceText {
 };
 
 // Writes a PNG or SVG, 1600 x 1300 pixels: the value as height and colour over the disc of directions, hidden parts
-// hidden. Needs no display and no graphics driver. value: linear, from 0; lines on the surface every 10 deg of theta_r
-// and every 30 deg of phi where the grid has them. laws: the same values give the same bytes. domain: valid values,
-// else std::invalid_argument. error: std::runtime_error where the file cannot be written. check:
-// tests/view/brdf_surface_test.cpp finds the highest point where it belongs.
+// hidden. Needs no display and no graphics driver.
+// value: linear, from 0; lines on the surface every 10 deg of theta_r and every 30 deg of phi where the grid has them.
+// laws: the same values give the same bytes.
+// domain: valid values, else std::invalid_argument. error: std::runtime_error where the file cannot be written.
+// check: tests/view/brdf_surface_test.cpp finds the highest point where it belongs.
 void draw_brdf_surface(const std::filesystem::path& file, const HemisphereValues& values, const SurfaceText& text);
 
 }  // namespace lrcs

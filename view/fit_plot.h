@@ -36,8 +36,8 @@ struct FitPicture {
 };
 
 // Writes a PNG or SVG, 1600 x 1300 pixels: above, measured points as symbols and the fit as lines, a colour and a
-// symbol for each theta_i; below, the residuals. Needs no display. value: the scale as in view/brdf_axes.h. The picture
-// says how many measured points lie below a logarithmic axis. Of
+// symbol for each theta_i; below, the residuals. Needs no display.
+// value: the scale as in view/brdf_axes.h. The picture says how many measured points lie below a logarithmic axis. Of
 //   symbols so near one another that they cannot be told apart one is drawn.
 // laws: the same picture gives the same bytes, whatever the order of its curves where their theta_i differ.
 // domain: one to eight curves, valid ones; else std::invalid_argument.

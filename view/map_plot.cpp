@@ -1,5 +1,7 @@
 #include "view/map_plot.h"
 
+#include <algorithm>
+
 #include "view/extent.h"
 #include "view/plot_file.h"
 #include "view/plot_header.h"
@@ -39,7 +41,9 @@ CartesianFrame draw_map_plot(Canvas& canvas, const DirectionMap& map, const MapT
     across.take(cell.west), across.take(cell.east);
     up.take(cell.south), up.take(cell.north);
   }
-  const Axis x = axis_of_cells("azimuth [deg]", across, 12), y = axis_of_cells("elevation [deg]", up, 7);
+  constexpr double label_room = 95.0, beside = 150.0;  // [pixel]
+  const int most = std::clamp(static_cast<int>((canvas.width() - map_bar_room - beside) / label_room), 2, 12);
+  const Axis x = axis_of_cells("azimuth [deg]", across, most), y = axis_of_cells("elevation [deg]", up, 7);
   Box box = room_for_frame(canvas, top, x, y);
   box.high.x = canvas.width() - map_bar_room;
   const CartesianFrame frame = draw_cartesian_frame(canvas, box, x, y);

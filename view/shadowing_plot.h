@@ -20,9 +20,10 @@ struct ShadowingCurves {
 };
 
 // Writes a PNG or SVG, 1600 x 1000 pixels: G from 0 to 1; the colour tells theta_i, the dashes the material. Needs no
-// display. value: of more than seven incidence angles seven spread ones, which the picture says; the note stands above
-// that. laws: the same curves give the same bytes. domain: one to six materials, the same theta_i in the same order in
-// each; angles finite, G in [0, 1]. Else
+// display.
+// value: of more than seven incidence angles seven spread ones, which the picture says; the note stands above that.
+// laws: the same curves give the same bytes.
+// domain: one to six materials, the same theta_i in the same order in each; angles finite, G in [0, 1]. Else
 //   std::invalid_argument. error: std::runtime_error where the file cannot be written.
 // check: tests/view/shadowing_plot_test.cpp.
 void draw_shadowing_plot(const std::filesystem::path& file, const std::vector<ShadowingCurves>& materials,

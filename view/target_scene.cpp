@@ -91,6 +91,8 @@ struct Arrow {
     name->PickableOff();
     name->GetTextProperty()->SetColor(colour.red, colour.green, colour.blue);
     name->GetTextProperty()->BoldOn();
+    name->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+    name->GetTextProperty()->SetBackgroundOpacity(0.7);
     name->GetTextProperty()->SetJustificationToCentered();
     name->GetTextProperty()->SetVerticalJustificationToCentered();
   }
@@ -193,6 +195,7 @@ struct TargetScene::Hidden {
   const FacetMesh& mesh;
   Vec3 centre;
   double radius;
+  double width_over_height = 1.0;
   vtkSmartPointer<vtkPolyData> triangles;
   vtkNew<vtkUnsignedCharArray> rgb;
   vtkNew<vtkActor> facets, creases, part;
@@ -244,11 +247,19 @@ void TargetScene::look_from(const Vec3& toward_viewer) {
   camera->SetPosition(position.data());
   camera->SetViewUp(up.data());
   camera->OrthogonalizeViewUp();
-  const Vec3 right = up.cross(d).normalized(), above = d.cross(right);
-  const double across = std::max(hidden_->reach(right), hidden_->reach(-right));
-  const double upward = std::max(hidden_->reach(above), hidden_->reach(-above));
+  fit(hidden_->width_over_height);
+}
+
+void TargetScene::fit(double width_over_height) {
+  hidden_->width_over_height = width_over_height;
+  vtkCamera* camera = hidden_->renderer->GetActiveCamera();
+  const Vec3 d = -Vec3(camera->GetDirectionOfProjection()), above(camera->GetViewUp());
+  const Vec3 right = above.cross(d).normalized();
+  const double with_arrow = (gap + arrow_length + name_gap) * hidden_->radius;
+  const double across = std::max(hidden_->reach(right), hidden_->reach(-right)) + with_arrow;
+  const double upward = std::max(hidden_->reach(above), hidden_->reach(-above)) + with_arrow;
   constexpr double of_names = 0.93;  // half of a name lies beyond its middle
-  camera->SetParallelScale((std::max(across, upward) + (gap + arrow_length + name_gap) * hidden_->radius) / of_names);
+  camera->SetParallelScale(std::max(upward, across / width_over_height) / of_names);
   camera->SetClippingRange(hidden_->radius, 20.0 * hidden_->radius);
 }
 

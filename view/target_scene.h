@@ -34,6 +34,9 @@ class TargetScene {
   // The same from above and beside a direction, as pictures of facets are.
   void look_beside(const Vec3& direction);
 
+  // Shows all of it, with its arrows, in a window so many times wider than high; the direction stays.
+  void fit(double width_over_height);
+
   // The facet at a place of the renderer's window [pixel]; none: the ground.
   [[nodiscard]] std::optional<std::uint32_t> facet_at(double x, double y) const;
 

@@ -20,12 +20,12 @@ struct ViewedSweep {
   std::string title;
   PlotText axis;  // its title is not used
   std::vector<ViewedCut> cuts;
-  // Where each row stands: on a cut, at one of its angles. Rows of the same direction share a place.
+  // Where each row stands: on a cut, at one of its angles.
   struct Place {
     std::size_t cut, point;
   };
   std::vector<Place> places;
-  std::vector<double> bound_m2;  // one a row
+  std::vector<double> sigma_m2, bound_m2;  // one a row, as the sweep found them
 };
 
 }  // namespace lrcs

@@ -18,6 +18,7 @@ bool is_whole(const std::filesystem::path& file) {
   const std::string content = content_of(file);
   const std::string kind = file.extension();
   if (kind == ".vtp") return content.ends_with("</VTKFile>\n");
+  if (kind == ".h5") return content.starts_with("\x89HDF") && content.size() > 10000;
   if (kind == ".yaml") return content.ends_with("output: {facets: all}\n");
   if (kind == ".pvd") return content.ends_with("</VTKFile>\n");
   if (kind == ".json") return nlohmann::json::accept(content);
@@ -33,7 +34,7 @@ TEST(KilledSweep, LeavesWholeFilesOnly) {
   std::string text = scene_with("step: 10", "step: 2") + "output: {facets: all}\n";
   text.replace(text.find("panel*"), 6, "b*");
   folder.write("scene.yaml", text);
-  const std::vector<std::string> words{"sweep", "scene.yaml", "-o", "out", "-q"};
+  const std::vector<std::string> words{"sweep", "scene.yaml", "-o", "out", "-q", "--hdf5"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(run_lrcs(words, {folder.path()}).status, 0);
   const auto whole_run =

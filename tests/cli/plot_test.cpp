@@ -119,9 +119,9 @@ TEST_F(Plot, ShowsTheBoundsOfASampledSweep) {
 
 TEST_F(Plot, StartsAtTheFloorAndHasTheSizeAskedFor) {
   sweep({"grid"});
-  const std::string text = svg({"grid", "--floor", "6", "--size", "900x700"});
+  const std::string text = svg({"grid", "--floor", "6", "--size", "1300x900"});
   EXPECT_THAT(text, HasSubstr(">No line where LRCS is 0 or below 6 dBsm<"));
-  EXPECT_THAT(text, HasSubstr("viewBox=\"0 0 900 700\""));
+  EXPECT_THAT(text, HasSubstr("viewBox=\"0 0 1300 900\""));
   const std::string sphere = svg({"grid", "--kind", "sphere", "--from", "-90,0"});
   EXPECT_THAT(sphere, HasSubstr(">seen from azimuth −90°, elevation 0°<"));
   EXPECT_THAT(sphere, HasSubstr(">seen from azimuth 90°, elevation 0°<"));
@@ -188,7 +188,7 @@ TEST_F(Plot, SaysWhatIsWrong) {
       {{"scene", "--floor", "90"}, "--floor: expected less than the highest LRCS, "},
       {{"scene", "--floor", "-1e9"}, "--floor: expected less than the highest LRCS, "},
       {{"scene", "--kind", "parts", "--floor", "0"}, "--floor: belongs to --kind cut, polar, map or sphere"},
-      {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 800x600 to 8000x8000 pixels, found '100x100'"},
+      {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 1200x900 to 8000x8000 pixels, found '100x100'"},
       {{"scene", "--size", "1600"}, "--size: expected WIDTHxHEIGHT"},
       {{"scene", "--kind", "part"},
        "--kind: expected cut, polar, map, sphere or parts, found 'part', did you mean 'parts'?"},

@@ -52,20 +52,38 @@ TEST_F(Report, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(folder_.read("a.html"), folder_.read("b.html"));
 }
 
-TEST_F(Report, RefusesNumbersThatAreNotTheTargets) {
-  std::string csv = folder_.read("out/sweep.csv");
-  const auto row = csv.find("\n20,") + 1;
-  std::string line = csv.substr(row, csv.find('\n', row) - row);
-  std::vector<std::string> cells;
-  std::istringstream words(line);
-  for (std::string word; std::getline(words, word, ',');) cells.push_back(word);
-  csv.replace(csv.find(cells.at(4), row), cells.at(4).size(), "3.25");
-  folder_.write("out/sweep.csv", csv);
-  const Outcome refused = run_lrcs({"report", "out"}, {folder_.path()});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("sweep.csv: row 2 says 3.25 m^2"));
-  EXPECT_FALSE(folder_.has("out/report.html"));
+TEST_F(Report, RefusesWhatIsNoResultAnyMore) {
+  const std::string manifest = folder_.read("out/manifest.json");
+  const auto refused = [&](const std::string& file, const std::string& what) {
+    const Outcome outcome = run_lrcs({"report", "out"}, {folder_.path()});
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(file + ": " + what));
+    EXPECT_FALSE(folder_.has("out/report.html"));
+    folder_.write("out/manifest.json", manifest);
+  };
+  for (const auto& [key, other] :
+       std::vector<std::pair<std::string, std::string>>{{"\"command\":", "\"commands\":"},
+                                                        {"\"skipped\":", "\"skipped\": 3, \"b\":"},
+                                                        {"\"warnings\":", "\"warnings\": \"hello\", \"c\":"},
+                                                        {"\"outputs\":", "\"outputs\": [], \"d\":"}}) {
+    std::string edited = manifest;
+    folder_.write("out/manifest.json", edited.replace(edited.find(key), key.size(), other));
+    refused("out/manifest.json", key == "\"outputs\":" ? "knows of no sweep.csv" : "expected the manifest of a sweep");
+  }
+  folder_.write("out/manifest.json", manifest.substr(0, 500));
+  refused("out/manifest.json", "expected the manifest");
+  folder_.write("out/sweep.csv", folder_.read("out/sweep.csv") + "#\n");
+  refused("out/sweep.csv", "has changed since the sweep");
   EXPECT_EQ(run_lrcs({"report", "scene.yaml"}, {folder_.path()}).status, 2);
+}
+
+TEST_F(Report, HoldsEveryRowWhereDirectionsRepeat) {
+  folder_.write("scene.yaml", good_scene.substr(0, good_scene.find("sweep:")) + "sweep: {azimuth: [0, 30, 0]}\n");
+  ASSERT_EQ(run_lrcs({"sweep", "scene.yaml", "-o", "out"}, {folder_.path()}).status, 0);
+  ASSERT_EQ(run_lrcs({"report", "out"}, {folder_.path()}).status, 0);
+  const nlohmann::json json = numbers("out/report.html");
+  EXPECT_EQ(json.at("axis"), "row");
+  EXPECT_EQ(json.at("cuts").at(0).at("rows").dump(), "[0,1,2]");
 }
 
 }  // namespace

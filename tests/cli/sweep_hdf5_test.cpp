@@ -116,5 +116,25 @@ TEST_F(SweepFile, IsTheSameBytesForAnyNumberOfThreads) {
     EXPECT_NE(entry.path().filename().string().front(), '.');
 }
 
+TEST_F(SweepFile, IsWrittenWholeOrNotAtAll) {
+  folder_.write("scene.yaml", scene_with("step: 10", "step: 1") + "output: {facets: all}\n");
+  const Words words{"sweep", "scene.yaml", "-o", "out", "--hdf5"};
+  const Outcome full = run_lrcs(words, {.folder = folder_.path(), .largest_file = 20000});
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_NE(full.err.find("sweep.h5: "), std::string::npos) << full.err;
+  EXPECT_EQ(full.err.find("HDF5-DIAG"), std::string::npos) << full.err;
+  EXPECT_FALSE(folder_.has("out/sweep.h5"));
+  EXPECT_FALSE(folder_.has("out/manifest.json"));
+}
+
+TEST_F(SweepFile, OfAnEarlierRunIsTakenAway) {
+  sweep("sweep: {azimuth: [0, 10]}\noutput: {facets: all}\n");
+  EXPECT_TRUE(folder_.has("out/facets.pvd"));
+  folder_.write("scene.yaml", good_scene);
+  ASSERT_EQ(run_lrcs({"sweep", "scene.yaml", "-o", "out"}, {folder_.path()}).status, 0);
+  EXPECT_FALSE(folder_.has("out/sweep.h5"));
+  EXPECT_FALSE(folder_.has("out/facets.pvd"));
+}
+
 }  // namespace
 }  // namespace lrcs

@@ -67,6 +67,11 @@ TEST(ShownTarget, KeepsPartsAreasAndPlacesWithFewerFacets) {
     const Vec3 middle = 2.0 / 3.0 * (mesh.corners(k)[0] + mesh.corners(k)[1] + mesh.corners(k)[2]);
     EXPECT_LT((middle_of(shown, shown.shown_of[k]) - middle).norm(), 0.6);  // spheres of radius 2 m
   }
+  for (std::uint32_t k = 0; k < shown.size(); ++k) {
+    EXPECT_GT(shown.area[shown.value_of[k]], 0.0);
+    EXPECT_EQ(shown.part[shown.value_of[k]], shown.part[k]);
+    EXPECT_TRUE(shown.area[k] == 0.0 || shown.value_of[k] == k);
+  }
 }
 
 TEST(ShownReturns, AreTheNearestQuarterDecibel) {
@@ -82,17 +87,20 @@ TEST(ShownReturns, AreTheNearestQuarterDecibel) {
   returns.take(0, sigma, seen, mesh.areas);
   sigma[1] = 0.0, seen[1] = 1.0;
   returns.take(2, sigma, seen, mesh.areas);
-  EXPECT_NEAR(returns.brightest(), 3.0, 1e-6);
+  sigma[0] = mesh.areas[0] * 6.0;
+  returns.take(1, sigma, seen, mesh.areas);  // not shown, but the brightest of all
+  EXPECT_NEAR(returns.brightest(), 6.0, 1e-6);
   const auto levels = returns.levels(), parts = returns.seen();
   ASSERT_EQ(levels.size(), 2 * mesh.size());
   const auto at = [](const std::vector<std::uint8_t>& values, std::size_t facet) {
     return std::pair<int, int>(values[2 * facet], static_cast<std::uint8_t>(values[2 * facet] + values[2 * facet + 1]));
   };
-  EXPECT_EQ(at(levels, 0), std::pair(255, 255));
-  EXPECT_EQ(at(levels, 1), std::pair(255 - 41, 1));  // -10.3 dB: 41.2 steps down; seen, but nothing comes back
+  EXPECT_EQ(at(levels, 0), std::pair(255 - 12, 255 - 12));  // -3.01 dB: 12.04 steps down
+  EXPECT_EQ(at(levels, 1), std::pair(255 - 53, 1));         // -13.31 dB: 53.2 steps down; seen, but nothing comes back
   EXPECT_EQ(at(levels, 2), std::pair(1, 1));
   EXPECT_EQ(at(levels, 3), std::pair(0, 0));
   EXPECT_EQ(at(parts, 1), std::pair(128, 255));
+  EXPECT_EQ(at(parts, 2), std::pair(1, 1));  // a thousandth is seen
 }
 
 }  // namespace
