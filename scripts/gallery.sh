@@ -25,6 +25,17 @@ $lrcs view "$work/as1" --colour material --png "$out/view-material.png"
 $lrcs view "$work/tess" --aspect 8 --scale linear --per facet --png "$out/view-linear.png"
 $lrcs view "$work/turbine" --aspect 10 --png "$out/view-bistatic.png"
 
+$lrcs plot "$work/tess" --elevation 20 -o "$out/plot-cut.png"
+sed 's/^accuracy:.*//; s|file: tess.obj|file: '"$PWD"'/examples/tess/tess.obj|' examples/tess/scene.yaml >"$work/sampled.yaml"
+echo 'accuracy: {relative: 1e-2}' >>"$work/sampled.yaml"
+$lrcs sweep "$work/sampled.yaml" -o "$work/sampled" -q
+$lrcs plot "$work/tess" "$work/sampled" --elevation 0 --label exact --label "sampled, 1e-2" -o "$out/plot-compared.png"
+$lrcs plot "$work/as1" --kind parts -o "$out/plot-parts.png" -q
+$lrcs sweep examples/propeller/propeller.stl --unit mm --material lambert:0.8 --azimuth 0:355:5 --elevation=-90:90:5 \
+  -o "$work/sphere" -q
+$lrcs plot "$work/sphere" --kind map -o "$out/plot-map.png"
+$lrcs plot "$work/sphere" --kind sphere -o "$out/plot-sphere.png"
+
 $lrcs brdf metal-skin-9p --with painted-steel-9p --theta-i 0,30,60 -o "$out/brdf.png" \
   --shadowing "$out/brdf-shadowing.png" --surface "$out/brdf-surface.png" \
   --surface-shadowing "$out/brdf-surface-shadowing.png" -q >/dev/null
