@@ -77,6 +77,7 @@ PlottedSweep read_plotted_sweep(const std::string& input) {
 
 void tell_apart(std::vector<PlottedSweep>& sweeps) {
   std::vector<std::string> labels;
+  labels.reserve(sweeps.size());
   for (const PlottedSweep& sweep : sweeps) labels.push_back(sweep.label);
   for (PlottedSweep& sweep : sweeps)
     if (std::count(labels.begin(), labels.end(), sweep.label) > 1) sweep.label = sweep.input;

@@ -46,7 +46,7 @@ CartesianFrame draw_map_plot(Canvas& canvas, const DirectionMap& map, const MapT
   const Axis x = axis_of_cells("azimuth [deg]", across, most), y = axis_of_cells("elevation [deg]", up, 7);
   Box box = room_for_frame(canvas, top, x, y);
   box.high.x = canvas.width() - map_bar_room;
-  const CartesianFrame frame = draw_cartesian_frame(canvas, box, x, y);
+  CartesianFrame frame = draw_cartesian_frame(canvas, box, x, y);
   std::vector<Tile> tiles;
   for (const MapCell& cell : map_cells(map))
     tiles.push_back({{frame.at(cell.west, cell.south), frame.at(cell.east, cell.south), frame.at(cell.east, cell.north),

@@ -60,7 +60,7 @@ SphereView draw_sphere(Canvas& canvas, const Box& box, const DirectionMap& map, 
   constexpr double caption = 60.0;  // [pixel]
   const double middle = 0.5 * (box.low.x + box.high.x);
   const double radius = 0.5 / margin_reach * std::min(box.high.x - box.low.x, box.high.y - box.low.y - caption);
-  const SphereView view = sphere_view({middle, 0.5 * (box.low.y + caption + box.high.y)}, radius, from);
+  SphereView view = sphere_view({middle, 0.5 * (box.low.y + caption + box.high.y)}, radius, from);
   draw_axes(canvas, view, false);
   canvas.disc(view.centre, view.radius, white);
   canvas.tiles(sphere_tiles(map, range, view));

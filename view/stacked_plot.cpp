@@ -57,6 +57,7 @@ std::vector<std::string> labels_of(const std::vector<StackLayer>& layers, double
   constexpr double widest = 0.85, growth = 1.2;
   const auto shortened_to = [&](double room) {
     std::vector<std::string> labels;
+    labels.reserve(layers.size());
     for (const StackLayer& layer : layers)
       labels.push_back(end_of(layer.label.empty() ? "(no name)" : layer.label, room));
     return labels;
@@ -137,7 +138,7 @@ CartesianFrame draw_stacked_plot(Canvas& canvas, const LayerStack& stack, const 
   const double highest = *std::max_element(heights.back().begin(), heights.back().end());
   const Axis y = linear_axis("LRCS [m²]", 0.0, highest > 0.0 ? highest : 1.0);
   const double top = draw_header(canvas, header_of(stack, text, canvas.width()));
-  const CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis_of(stack, text.angle_axis), y);
+  CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis_of(stack, text.angle_axis), y);
   draw_layers(canvas, frame, stack, heights);
   draw_outline(canvas, frame);
   return frame;

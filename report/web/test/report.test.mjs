@@ -146,11 +146,13 @@ test('a click in a plot goes to that aspect', () =>
   withReport('satellite', async ({ page }) => {
     const goTo = async (row, plot, host) => {
       await page.evaluate((k) => window.lrcs.setRow(k), row);
+      await page.locator(host).scrollIntoViewIfNeeded();
+      await page.waitForTimeout(700); // plots are drawn when there is time
       const [x, y] = (await stateOf(page)).markers[plot];
       await page.evaluate(() => window.lrcs.setRow(0));
-      await page.locator(host).scrollIntoViewIfNeeded();
+      await page.waitForTimeout(700);
       await page.locator(host).click({ position: { x, y } });
-      assert.equal((await stateOf(page)).row, row);
+      await page.waitForFunction((wanted) => window.lrcs.row() === wanted, row, { timeout: 10000 });
     };
     await goTo(30, 'sweep', '#sweep-plot');
     await goTo(50, 'polar', '#polar-plot');
