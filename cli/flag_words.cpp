@@ -106,4 +106,19 @@ void require_folder_of(const std::filesystem::path& file, const std::string& fla
     throw InputError(fmt::format("{}: no such folder: '{}'", flag, folder.string()));
 }
 
+PictureSize size_from_words(const std::string& words, const std::string& flag, const PictureSize& least) {
+  constexpr int most = 8000;
+  const auto numbers = split(words, 'x');
+  PictureSize size{0, 0};
+  const auto is_read = [](const std::string& word, int& pixels) {
+    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), pixels);
+    return wrong == std::errc{} && end == word.data() + word.size();
+  };
+  if (numbers.size() != 2 || !is_read(numbers[0], size.width) || !is_read(numbers[1], size.height) ||
+      size.width < least.width || size.height < least.height || size.width > most || size.height > most)
+    throw InputError(fmt::format("{}: expected WIDTHxHEIGHT, {}x{} to {}x{} pixels, found '{}'", flag, least.width,
+                                 least.height, most, most, words));
+  return size;
+}
+
 }  // namespace lrcs

@@ -41,4 +41,10 @@ void require_folder_of(const std::filesystem::path& file, const std::string& fla
 // lambert:REFLECTANCE, a name of the library, or a material file; what looks like a file and is none is told so.
 [[nodiscard]] Material material_from_argument(const std::string& words);
 
+// "1600x900" [pixel]. error: InputError that names the flag, for less than the least size or more than 8000 x 8000.
+struct PictureSize {
+  int width, height;
+};
+[[nodiscard]] PictureSize size_from_words(const std::string& words, const std::string& flag, const PictureSize& least);
+
 }  // namespace lrcs

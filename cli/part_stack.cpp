@@ -37,13 +37,11 @@ void require_same_sigma(const PastRun& run, const ViewedCut& cut, const std::vec
                         const std::vector<double>& top) {
   constexpr double rounding = 1e-12;  // of sigma
   for (std::size_t i = 0; i < top.size(); ++i) {
-    const Estimate &now = parts[i].sigma, &before = run.rows[cut.rows[i]].sigma;
+    const Estimate& now = parts[i].sigma;
     const bool is_sum = std::abs(top[i] - now.value) <= rounding * now.value;
-    const bool is_same = run.scene.relative_accuracy ||
-                         std::abs(now.value - before.value) <= rounding * before.value + now.bound + before.bound;
-    if (!is_sum || !is_same)
+    if (!is_sum || !is_as_before(run, cut.rows[i], now))
       throw std::runtime_error(fmt::format("row {}: the parts return {} m^2 together, sweep.csv says {} m^2",
-                                           cut.rows[i], top[i], before.value));
+                                           cut.rows[i], top[i], run.rows[cut.rows[i]].sigma.value));
   }
 }
 

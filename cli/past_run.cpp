@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/digest.h"
@@ -83,6 +84,13 @@ PastRun read_past_run(const std::filesystem::path& folder) {
   for (std::size_t k = 0; k < run.rows.size(); ++k)
     run.rows[k].aspect = aspect_of(run.scene.directions[k], run.scene.receiver);
   return run;
+}
+
+bool is_as_before(const PastRun& run, std::size_t row, const Estimate& sigma) {
+  constexpr double rounding = 1e-12;  // of sigma
+  const Estimate& before = run.rows[row].sigma;
+  return run.scene.relative_accuracy ||
+         std::abs(sigma.value - before.value) <= before.bound + sigma.bound + rounding * before.value;
 }
 
 }  // namespace lrcs

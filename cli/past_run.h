@@ -24,4 +24,7 @@ struct PastRun {
 // what else it was computed from, is no longer there or no longer the same.
 [[nodiscard]] PastRun read_past_run(const std::filesystem::path& folder);
 
+// Is this sigma, computed exactly once more, what the sweep found for the row? Of a sampled sweep nothing is asked.
+[[nodiscard]] bool is_as_before(const PastRun& run, std::size_t row, const Estimate& sigma);
+
 }  // namespace lrcs

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,24 +27,9 @@ struct PlotOptions {
   std::string azimuth, elevation, from, floor;
 };
 
-struct PlotSize {
-  int width, height;
-};
-
-PlotSize plot_size(const PlotOptions& options) {
-  if (options.size.empty()) return options.kind == "polar" ? PlotSize{1200, 1200} : PlotSize{1600, 1000};
-  const auto words = split(options.size, 'x');
-  PlotSize size{0, 0};
-  const auto is_read = [](const std::string& word, int& pixels) {
-    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), pixels);
-    return wrong == std::errc{} && end == word.data() + word.size();
-  };
-  // Letters keep their size: on less they would meet.
-  if (words.size() != 2 || !is_read(words[0], size.width) || !is_read(words[1], size.height) || size.width < 1200 ||
-      size.height < 900 || size.width > 8000 || size.height > 8000)
-    throw InputError(
-        fmt::format("--size: expected WIDTHxHEIGHT, 1200x900 to 8000x8000 pixels, found '{}'", options.size));
-  return size;
+PictureSize plot_size(const PlotOptions& options) {
+  if (options.size.empty()) return options.kind == "polar" ? PictureSize{1200, 1200} : PictureSize{1600, 1000};
+  return size_from_words(options.size, "--size", {1200, 900});  // letters keep their size: on less they would meet
 }
 
 std::optional<double> number_if_given(const std::string& words, const char* flag) {
@@ -200,7 +184,7 @@ void draw_parts(Canvas& canvas, const PlotOptions& options, const std::vector<Pl
 void plot(const PlotOptions& options, const Common& common) {
   require_kind(options.kind);
   require_fitting_flags(options);
-  const PlotSize size = plot_size(options);
+  const PictureSize size = plot_size(options);
   Canvas canvas = plot_canvas(options.output, size.width, size.height);
   require_folder_of(options.output, "--output");
   std::vector<PlottedSweep> sweeps;

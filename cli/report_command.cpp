@@ -32,13 +32,10 @@ std::vector<std::size_t> stored_rows(std::size_t rows, std::size_t facets) {
 // The facets' shares add up to the row of sweep.csv, or it is another target's.
 void require_same_sigma(const std::filesystem::path& folder, const PastRun& run, std::size_t row,
                         const Estimate& sigma) {
-  if (run.scene.relative_accuracy) return;
-  constexpr double rounding = 1e-12;
-  const Estimate& before = run.rows[row].sigma;
-  if (std::abs(sigma.value - before.value) <= before.bound + sigma.bound + rounding * before.value) return;
-  throw InputError(
-      Place{(folder / "sweep.csv").string()},
-      fmt::format("row {} says {} m^2, its facets return {} m^2; run the sweep again", row, before.value, sigma.value));
+  if (is_as_before(run, row, sigma)) return;
+  throw InputError(Place{(folder / "sweep.csv").string()},
+                   fmt::format("row {} says {} m^2, its facets return {} m^2; run the sweep again", row,
+                               run.rows[row].sigma.value, sigma.value));
 }
 
 void report(const std::filesystem::path& folder, const std::filesystem::path& html, const Common& common) {

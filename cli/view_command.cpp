@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -44,19 +43,6 @@ PastRun run_of(const std::string& input, const Common& common) {
   return run;
 }
 
-std::array<int, 2> size_from_words(const std::string& words) {
-  std::array<int, 2> size{};
-  const auto cross = std::min(words.find('x'), words.size());
-  const char *begin = words.data(), *end = begin + words.size();
-  const auto width = std::from_chars(begin, begin + cross, size[0]);
-  const auto height = std::from_chars(std::min(begin + cross + 1, end), end, size[1]);
-  const bool is_read =
-      width.ec == std::errc{} && width.ptr == begin + cross && height.ec == std::errc{} && height.ptr == end;
-  if (!is_read || size[0] < 640 || size[1] < 360 || size[0] > 8000 || size[1] > 8000)
-    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT, 640x360 to 8000x8000 pixels, found '{}'", words));
-  return size;
-}
-
 FacetShowing showing_of(const Options& options) {
   FacetShowing showing;
   const std::array<const char*, 5> quantities{"contribution", "seen", "incidence", "material", "part"};
@@ -71,7 +57,7 @@ FacetShowing showing_of(const Options& options) {
 }
 
 void view(const Options& options, const Common& common) {
-  const auto [width, height] = size_from_words(options.size);
+  const auto [width, height] = size_from_words(options.size, "--size", {640, 360});
   const FacetShowing showing = showing_of(options);
   const PastRun run = run_of(options.input, common);
   if (options.aspect < 0 || options.aspect >= static_cast<std::int64_t>(run.rows.size()))

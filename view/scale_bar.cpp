@@ -1,7 +1,6 @@
 #include "view/scale_bar.h"
 
-#include <cmath>
-
+#include "view/colour_bar.h"
 #include "view/shortened_text.h"
 #include "view/ticks.h"
 
@@ -40,18 +39,11 @@ void draw_marks(Canvas& canvas, const Box& bar, const ColourScale& scale, const 
 
 void draw_scale(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
   if (scale.names.empty()) {
-    const double height = bar.high.y - bar.low.y, rows = std::floor(height);
-    std::vector<Tile> tiles;
-    for (double row = 0.0; row < rows; row += 1.0) {
-      const double low = bar.low.y + height * row / rows, high = bar.low.y + height * (row + 1.0) / rows;
-      tiles.push_back(
-          {{{bar.low.x, low}, {bar.high.x, low}, {bar.high.x, high}, {bar.low.x, high}}, viridis((row + 0.5) / rows)});
-    }
-    canvas.tiles(tiles);
+    draw_viridis(canvas, bar);
     canvas.frame(bar, {ink, 0.08 * font.size});
     draw_marks(canvas, bar, scale, font);
     canvas.text({bar.low.x - 0.6 * font.size, 0.5 * (bar.low.y + bar.high.y)}, scale.title,
-                {.font = fitting(scale.title, font, height), .x = AlignX::centre, .upward = true});
+                {.font = fitting(scale.title, font, bar.high.y - bar.low.y), .x = AlignX::centre, .upward = true});
     if (!scale.note.empty())
       canvas.text({bar.low.x - 1.8 * font.size, bar.high.y + 0.8 * font.size}, scale.note,
                   {.font = fitting(scale.note, font, room)});

@@ -9,6 +9,7 @@
 #include "base/compensated_sum.h"
 #include "view/brdf_axes.h"
 #include "view/plot_header.h"
+#include "view/shortened_text.h"
 #include "view/ticks.h"
 
 namespace lrcs {
@@ -40,18 +41,6 @@ Colour layer_colour(std::size_t layer) {
           std::lerp(colour.blue, 1.0, lightness)};
 }
 
-// Without its beginning, where it is wider than the room.
-std::string end_of(const std::string& text, double room) {
-  std::string end = text;
-  std::size_t from = 0;
-  while (text_size(end, note_font).width > room && from < text.size()) {
-    do ++from;
-    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0U) == 0x80U);
-    end = "…" + text.substr(from);
-  }
-  return end;
-}
-
 // Without their beginnings, but told apart where they are told apart in full.
 std::vector<std::string> labels_of(const std::vector<StackLayer>& layers, double width) {
   constexpr double widest = 0.85, growth = 1.2;
@@ -59,7 +48,7 @@ std::vector<std::string> labels_of(const std::vector<StackLayer>& layers, double
     std::vector<std::string> labels;
     labels.reserve(layers.size());
     for (const StackLayer& layer : layers)
-      labels.push_back(end_of(layer.label.empty() ? "(no name)" : layer.label, room));
+      labels.push_back(shortened(layer.label.empty() ? "(no name)" : layer.label, note_font, room));
     return labels;
   };
   const auto different = [](const std::vector<std::string>& labels) {
