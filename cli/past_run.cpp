@@ -81,8 +81,8 @@ PastRun read_past_run(const std::filesystem::path& folder) {
     throw InputError(Place{manifest_file.string()}, not_ours);
   }
   // As they were computed: the file's angles of a bistatic receiver are rounded.
-  for (std::size_t k = 0; k < run.rows.size(); ++k)
-    run.rows[k].aspect = aspect_of(run.scene.directions[k], run.scene.receiver);
+  const std::vector<Aspect> aspects = aspects_of(run.scene.directions, run.scene.receiver);
+  for (std::size_t k = 0; k < run.rows.size(); ++k) run.rows[k].aspect = aspects[k];
   return run;
 }
 

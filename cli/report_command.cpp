@@ -52,8 +52,7 @@ void report(const std::filesystem::path& folder, const std::filesystem::path& ht
   const ShownTarget shown = shown_target(mesh, most_facets);
   ShownReturns returns(shown, stored_rows(run.rows.size(), shown.size()));
   std::vector<std::vector<double>> part_sigma(run.rows.size());
-  std::vector<Aspect> aspects;
-  for (const SweepRow& row : run.rows) aspects.push_back(row.aspect);
+  const std::vector<Aspect> aspects = aspects_of(run.scene.directions, run.scene.receiver);
   ProgressBar bar(aspects.size(), "directions", !common.quiet);
   (void)run_sweep(run.loaded.target, aspects, common.threads,
                   {[&](std::size_t done) { bar.update(done); }, [](std::size_t) { return true; },

@@ -74,8 +74,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool with_hdf5
   SweepResults results(folder, scene, loaded, with_hdf5);
   if (!common.quiet) say_repairs(loaded);
   if (common.verbose && !common.quiet) say_plan(scene, loaded, facts);
-  std::vector<Aspect> aspects;
-  for (const AspectAngles& transmitter : scene.directions) aspects.push_back(aspect_of(transmitter, scene.receiver));
+  const std::vector<Aspect> aspects = aspects_of(scene.directions, scene.receiver);
   start = Clock::now();
   std::vector<SweepRow> rows;
   {

@@ -28,15 +28,20 @@ struct Options {
   double range = 40.0;
 };
 
-// A scene file is swept first.
-PastRun run_of(const std::string& input, const Common& common) {
-  if (std::filesystem::is_directory(input)) return read_past_run(input);
+std::size_t row_from_flag(std::int64_t row, std::size_t rows) {
+  if (row < 0 || row >= static_cast<std::int64_t>(rows))
+    throw InputError(fmt::format("--aspect: expected a row of the sweep, 0 to {}, found {}", rows - 1, row));
+  return static_cast<std::size_t>(row);
+}
+
+// A scene file is swept first, but not in vain.
+PastRun run_of(const Options& options, const Common& common) {
+  if (std::filesystem::is_directory(options.input)) return read_past_run(options.input);
   PastRun run;
-  run.scene = read_scene(input);
+  run.scene = read_scene(options.input);
+  (void)row_from_flag(options.aspect, run.scene.directions.size());
   run.loaded = load_target(run.scene);
-  std::vector<Aspect> aspects;
-  for (const AspectAngles& transmitter : run.scene.directions)
-    aspects.push_back(aspect_of(transmitter, run.scene.receiver));
+  const std::vector<Aspect> aspects = aspects_of(run.scene.directions, run.scene.receiver);
   ProgressBar bar(aspects.size(), "directions", !common.quiet);
   run.rows = run_sweep(run.loaded.target, aspects, common.threads,
                        {[&](std::size_t done) { bar.update(done); }, {}, {}}, nullptr, run.scene.relative_accuracy);
@@ -59,11 +64,8 @@ FacetShowing showing_of(const Options& options) {
 void view(const Options& options, const Common& common) {
   const auto [width, height] = size_from_words(options.size, "--size", {640, 360});
   const FacetShowing showing = showing_of(options);
-  const PastRun run = run_of(options.input, common);
-  if (options.aspect < 0 || options.aspect >= static_cast<std::int64_t>(run.rows.size()))
-    throw InputError(
-        fmt::format("--aspect: expected a row of the sweep, 0 to {}, found {}", run.rows.size() - 1, options.aspect));
-  const auto first = static_cast<std::size_t>(options.aspect);
+  const PastRun run = run_of(options, common);
+  const std::size_t first = row_from_flag(options.aspect, run.rows.size());
   std::optional<tbb::global_control> allowed;
   if (common.threads != 0) allowed.emplace(tbb::global_control::max_allowed_parallelism, common.threads);
   const Target& target = run.loaded.target;
@@ -81,9 +83,10 @@ void view(const Options& options, const Common& common) {
     write_png(options.png, view.picture(width, height));
     return;
   }
-  RowsAhead rows(compute, run.rows.size());
+  RowsAhead ahead(compute, run.rows.size());
+  const bool looks_ahead = common.threads != 1;
   AspectView view(
-      sweep, [&](std::size_t row) { return rows.at(row); }, first);
+      sweep, [&](std::size_t row) { return looks_ahead ? ahead.at(row) : compute(row); }, first);
   view.show(showing);
   const bool is_folder = std::filesystem::is_directory(options.input);
   show_aspect_window(view, "lrcs: " + sweep.title, is_folder ? options.input : ".",

@@ -41,4 +41,13 @@ struct Receiver {
   return {transmitter, angles_of(dr), di, dr};
 }
 
+// One for each direction of the transmitter, in their order.
+[[nodiscard]] inline std::vector<Aspect> aspects_of(const std::vector<AspectAngles>& transmitters,
+                                                    const Receiver& receiver) {
+  std::vector<Aspect> aspects;
+  aspects.reserve(transmitters.size());
+  for (const AspectAngles& transmitter : transmitters) aspects.push_back(aspect_of(transmitter, receiver));
+  return aspects;
+}
+
 }  // namespace lrcs

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what lrcs needs to be built, run and tested on Debian 12: install-deps.sh [--checks]
-# --checks: also what .ci/run needs: for the style checks, and to bundle the page of reports and drive it in a browser.
+# --checks: also what .ci/run needs: for the style checks, to bundle the page of reports and drive it in a
+# browser, to open sweep.h5 with xarray.
 # As root or through sudo. Silent where nothing is missing.
 set -eu
 packages="g++ cmake ninja-build ccache
@@ -10,7 +11,7 @@ packages="g++ cmake ninja-build ccache
 for more in "$@"; do
   case $more in
     --checks)
-      packages="$packages clang-format-14 clang-tidy-14 chromium"
+      packages="$packages clang-format-14 clang-tidy-14 chromium python3-xarray python3-h5netcdf"
       # Those that are there may be newer than Debian's, and not be Debian's.
       command -v node >/dev/null && command -v npm >/dev/null || packages="$packages nodejs npm"
       ;;

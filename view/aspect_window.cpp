@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -190,6 +191,12 @@ void require_display() {
         fmt::format("no window can be opened: DISPLAY={} has no OpenGL; --png FILE draws without", name));
 }
 
+// Where the X server ends, X wants the program to end here.
+int end_without_server(Display* /*display*/) {
+  std::fputs("lrcs: the window is gone: its X server has ended\n", stderr);
+  std::_Exit(1);
+}
+
 class AspectWindow {
  public:
   AspectWindow(AspectView& view, const std::string& title, std::filesystem::path pictures,
@@ -303,6 +310,7 @@ class AspectWindow {
 void show_aspect_window(AspectView& view, const std::string& title, const std::filesystem::path& pictures,
                         const std::function<void(const std::string&)>& say) {
   require_display();
+  XSetIOErrorHandler(end_without_server);
   AspectWindow(view, title, pictures, say).run();
 }
 

@@ -9,22 +9,15 @@
 
 namespace lrcs {
 
-inline constexpr double darkest_db = -40.0;             // below the brightest facet, still told apart [dB]
 inline constexpr Colour unseen_grey{0.83, 0.83, 0.83};  // facets not lit and seen
-
-// sigma / area of each facet in dB below the largest: <= 0; minus infinity where sigma or area is 0.
-[[nodiscard]] std::vector<double> decibels_below_brightest(const FacetMesh& mesh, const FacetResult& result);
-
-// The colour of each facet, by the value above; darkest_db and less look the same.
-[[nodiscard]] std::vector<Colour> facet_colours(const FacetMesh& mesh, const FacetResult& result);
 
 // What colours are to show of each facet.
 enum class FacetQuantity { contribution, seen_fraction, incidence, material, part };
 struct FacetShowing {
   FacetQuantity quantity = FacetQuantity::contribution;
-  bool per_area = true;         // contribution: over the facet's area; else of the facet
-  bool in_decibels = true;      // contribution: below the brightest facet; else linear, from 0 to the brightest
-  double darkest = darkest_db;  // contribution in decibels: this and less look the same
+  bool per_area = true;     // contribution: over the facet's area; else of the facet
+  bool in_decibels = true;  // contribution: below the brightest facet; else linear, from 0 to the brightest
+  double darkest = -40.0;   // contribution in decibels below the brightest: this and less look the same
 };
 
 // What colours mean. quantity with a scale: viridis from low to high; else names, each with its colour.

@@ -7,6 +7,7 @@
 #include "base/direction.h"
 #include "view/facet_colours.h"
 #include "view/plot_file.h"
+#include "view/scale_bar.h"
 #include "view/solid_drawing.h"
 #include "view/ticks.h"
 
@@ -21,10 +22,10 @@ struct Layout {
 
   [[nodiscard]] Font font(double size) const { return {static_cast<int>(std::lround(size * unit)), false}; }
   [[nodiscard]] Box target() const {
-    return {{150.0 * unit, 190.0 * unit}, {width - 330.0 * unit, height - 150.0 * unit}};
+    return {{150.0 * unit, 190.0 * unit}, {width - 350.0 * unit, height - 150.0 * unit}};
   }
   [[nodiscard]] Box bar() const {
-    return {{width - 150.0 * unit, 230.0 * unit}, {width - 110.0 * unit, height - 200.0 * unit}};
+    return {{width - 200.0 * unit, 230.0 * unit}, {width - 160.0 * unit, height - 200.0 * unit}};
   }
 };
 
@@ -99,30 +100,6 @@ void draw_sensor(Canvas& canvas, const Layout& layout, const ParallelView& view,
       {.font = layout.font(30.0), .x = step.x < 0.0 ? AlignX::right : AlignX::left, .y = AlignY::middle, .halo = 0.8});
 }
 
-void draw_colour_bar(Canvas& canvas, const Layout& layout) {
-  const Box bar = layout.bar();
-  const double height = bar.high.y - bar.low.y;
-  const double rows = std::floor(height);
-  for (double row = 0.0; row < rows; row += 1.0) {
-    const double low = bar.low.y + height * row / rows;
-    canvas.fill({{bar.low.x, std::floor(low)}, {bar.high.x, std::floor(low) + 1.0}}, viridis((row + 0.5) / rows));
-  }
-  canvas.frame(bar, {ink, 2.0 * layout.unit});
-  for (const double decibels : multiples(darkest_db, 0.0, 10.0)) {
-    const double y = bar.high.y - height * decibels / darkest_db;
-    canvas.line({{bar.high.x, y}, {bar.high.x + 8.0 * layout.unit, y}}, {ink, 2.0 * layout.unit});
-    const std::string label = (decibels <= darkest_db ? "≤ " : "") + tick_label(decibels, 10.0);
-    canvas.text({bar.high.x + 16.0 * layout.unit, y}, label, {.font = layout.font(30.0), .y = AlignY::middle});
-  }
-  canvas.text({bar.low.x - 24.0 * layout.unit, 0.5 * (bar.low.y + bar.high.y)}, "return per area [dB re brightest]",
-              {.font = layout.font(32.0), .x = AlignX::centre, .upward = true});
-  const Box grey{{bar.low.x, bar.low.y - 75.0 * layout.unit}, {bar.high.x, bar.low.y - 40.0 * layout.unit}};
-  canvas.fill(grey, unseen_grey);
-  canvas.frame(grey, {ink, 2.0 * layout.unit});
-  canvas.text({grey.low.x - 12.0 * layout.unit, 0.5 * (grey.low.y + grey.high.y)}, "not lit and seen",
-              {.font = layout.font(30.0), .x = AlignX::right, .y = AlignY::middle});
-}
-
 std::string angles(double azimuth_deg, double elevation_deg) {
   return "azimuth " + number_label(azimuth_deg, 6) + "°, elevation " + number_label(elevation_deg, 6) + "°";
 }
@@ -156,7 +133,8 @@ void draw_facets_picture(const std::filesystem::path& file, const FacetMesh& mes
                       static_cast<double>(height)};
   const ParallelView view = view_of(mesh, oblique(toward_receiver, up, raise, aside), up, layout.target());
   Canvas canvas = plot_canvas(file, width, height);
-  canvas.paste(solid_drawing(mesh, facet_colours(mesh, result), view, width, height), 0, 0);
+  const ColouredFacets coloured = coloured_facets(mesh, result, {});
+  canvas.paste(solid_drawing(mesh, coloured.colours, view, width, height), 0, 0);
   const Vec3 transmitter = direction_of({result.transmitter_azimuth_deg, result.transmitter_elevation_deg});
   const Vec3 receiver = toward_receiver.normalized();
   constexpr double same = 1e-6;  // [rad]
@@ -164,7 +142,7 @@ void draw_facets_picture(const std::filesystem::path& file, const FacetMesh& mes
   if (!monostatic) draw_sensor(canvas, layout, view, transmitter, "transmitter");
   draw_sensor(canvas, layout, view, receiver, monostatic ? "sensor" : "receiver");
   draw_triad(canvas, layout, view);
-  draw_colour_bar(canvas, layout);
+  draw_scale(canvas, layout.bar(), 250.0 * layout.unit, coloured.scale, layout.font(30.0));
   draw_captions(canvas, layout, result, monostatic);
   write_plot(file, canvas);
 }

@@ -4,6 +4,8 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -57,6 +59,14 @@ vtkSmartPointer<Array> array_of(const char* name, const Values& values) {
   return array;
 }
 
+// What ParaView calls the array's unit.
+template <class Values>
+vtkSmartPointer<vtkDoubleArray> array_of(const char* name, const Values& values, const char* unit) {
+  auto array = array_of<vtkDoubleArray>(name, values);
+  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
+  return array;
+}
+
 vtkSmartPointer<vtkPolyData> facets_of(const FacetMesh& mesh, double scale) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_of(mesh, scale));
@@ -68,8 +78,8 @@ void add_cell_arrays(vtkCellData* cells, const FacetMesh& mesh, const FacetResul
   cells->AddArray(array_of<vtkUnsignedIntArray>("part", mesh.part.of));
   cells->AddArray(array_of<vtkUnsignedIntArray>("material", result.material));
   cells->AddArray(array_of<vtkUnsignedIntArray>("source_facet", mesh.source_facet));
-  cells->AddArray(array_of<vtkDoubleArray>("seen_fraction", result.seen_fraction));
-  cells->AddArray(array_of<vtkDoubleArray>("sigma_m2", result.sigma_m2));
+  cells->AddArray(array_of("seen_fraction", result.seen_fraction, "1"));
+  cells->AddArray(array_of("sigma_m2", result.sigma_m2, "m2"));
   cells->SetActiveScalars("sigma_m2");
 }
 
@@ -77,11 +87,11 @@ void add_field_arrays(vtkFieldData* fields, const FacetMesh& mesh, const FacetRe
   using Single = std::vector<double>;
   fields->AddArray(array_of<vtkStringArray>("part_names", mesh.part.names));
   fields->AddArray(array_of<vtkStringArray>("material_names", result.material_names));
-  fields->AddArray(array_of<vtkDoubleArray>("transmitter_azimuth_deg", Single{result.transmitter_azimuth_deg}));
-  fields->AddArray(array_of<vtkDoubleArray>("transmitter_elevation_deg", Single{result.transmitter_elevation_deg}));
-  fields->AddArray(array_of<vtkDoubleArray>("receiver_azimuth_deg", Single{result.receiver_azimuth_deg}));
-  fields->AddArray(array_of<vtkDoubleArray>("receiver_elevation_deg", Single{result.receiver_elevation_deg}));
-  fields->AddArray(array_of<vtkDoubleArray>("sigma_total_m2", Single{result.sigma_total_m2}));
+  fields->AddArray(array_of("transmitter_azimuth_deg", Single{result.transmitter_azimuth_deg}, "degree"));
+  fields->AddArray(array_of("transmitter_elevation_deg", Single{result.transmitter_elevation_deg}, "degree"));
+  fields->AddArray(array_of("receiver_azimuth_deg", Single{result.receiver_azimuth_deg}, "degree"));
+  fields->AddArray(array_of("receiver_elevation_deg", Single{result.receiver_elevation_deg}, "degree"));
+  fields->AddArray(array_of("sigma_total_m2", Single{result.sigma_total_m2}, "m2"));
 }
 
 void add_words(vtkCellData* cells, const std::string& name, const FacetNames& told) {

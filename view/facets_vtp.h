@@ -10,7 +10,7 @@ namespace lrcs {
 // value: points as doubles [m]; cell arrays `part`, `material` (numbers into the field data's string arrays
 //   `part_names`, `material_names`), `source_facet`, `seen_fraction`, `sigma_m2`; field data
 //   `transmitter_azimuth_deg`, `transmitter_elevation_deg`, `receiver_azimuth_deg`, `receiver_elevation_deg`,
-//   `sigma_total_m2`. Binary, exact.
+//   `sigma_total_m2`. Numbers with a unit have it as the array's UNITS_LABEL, too: m2, degree, 1. Binary, exact.
 // shape: one triangle a facet, in their order.
 // laws: the same input gives the same bytes.
 // domain: as FacetResult; arrays of another length than the mesh has facets: std::invalid_argument.

@@ -3,6 +3,7 @@
 #include <hdf5.h>
 #include <hdf5_hl.h>
 
+#include <cstdlib>
 #include <numeric>
 
 #include "lrcs/sweep_csv.h"
@@ -103,6 +104,15 @@ TEST_F(SweepFile, HoldsLooseDirectionsRowByRowAndTheirFacets) {
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n"
             "    <DataSet timestep=\"0\" part=\"0\" file=\"facets-1.vtp\"/>\n"
             "    <DataSet timestep=\"2\" part=\"0\" file=\"facets-0.vtp\"/>\n  </Collection>\n</VTKFile>\n");
+}
+
+TEST_F(SweepFile, XarrayOpensAsALabelledDataset) {
+  // Installed by scripts/install-deps.sh --checks.
+  if (std::system("/usr/bin/python3 -c 'import xarray, h5netcdf' 2>/dev/null") != 0)
+    GTEST_SKIP() << "no xarray, h5netcdf";
+  sweep("sweep: {azimuth: [0, 10, 25], elevation: [-5, 20]}\noutput: {facets: all}\n");
+  const std::string command = "/usr/bin/python3 " LRCS_TESTS "/cli/opened_by_xarray.py ";
+  EXPECT_EQ(std::system((command + (folder_.path() / "out").string()).c_str()), 0);
 }
 
 TEST_F(SweepFile, IsTheSameBytesForAnyNumberOfThreads) {

@@ -95,8 +95,13 @@ TEST(ColouredFacets, MeanWhatTheirScaleSays) {
   FacetShowing showing;
   const auto decibels = coloured_facets(plates.mesh, plates.result, showing);
   EXPECT_EQ(decibels.colours.size(), plates.mesh.size());
-  EXPECT_EQ(rgb_of(decibels.colours[0]), rgb_of(facet_colours(plates.mesh, plates.result)[0]));
-  EXPECT_EQ(decibels.scale.low, darkest_db);
+  EXPECT_EQ(rgb_of(decibels.colours[0]), rgb_of(viridis(1.0)));
+  EXPECT_EQ(rgb_of(decibels.colours[2]), rgb_of(viridis(0.5)));  // 20 dB below
+  EXPECT_EQ(decibels.scale.low, -40.0);
+  TwoPlates smaller = plates;
+  smaller.mesh.areas[0] = 0.25;  // half of it: twice as bright
+  EXPECT_EQ(rgb_of(coloured_facets(smaller.mesh, smaller.result, showing).colours[2]),
+            rgb_of(viridis(1.0 - (20.0 + 10.0 * std::log10(2.0)) / 40.0)));
   showing.in_decibels = false;
   showing.per_area = false;
   const auto linear = coloured_facets(plates.mesh, plates.result, showing);

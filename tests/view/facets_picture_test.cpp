@@ -24,7 +24,7 @@ TEST(FacetsPicture, HasItsSizeAndShowsBrightDimAndUnseenFacets) {
   const PngPixels pixels(png);
   EXPECT_EQ(pixels.size[0], 800);
   EXPECT_EQ(pixels.size[1], 600);
-  const auto colours = facet_colours(plates.mesh, plates.result);
+  const auto colours = coloured_facets(plates.mesh, plates.result, {}).colours;
   // The brightness of a facet that the viewer sees 30 deg from the side and 25 deg from above.
   const double light = 0.78 + 0.22 * std::cos(30.0 * degree) * std::cos(25.0 * degree);
   const auto seen = [&](std::size_t facet) {
@@ -90,15 +90,6 @@ TEST(FacetsPicture, RefusesWhatItCannotShow) {
   EXPECT_THROW(draw_with(Vec3::UnitX(), Vec3::Zero(), 800), std::invalid_argument);
   EXPECT_THROW(draw_with(Vec3::UnitX(), Vec3::UnitZ(), 10), std::invalid_argument);
   EXPECT_THROW(draw_facets_picture(png, {}, {}, Vec3::UnitX(), Vec3::UnitZ(), 800, 600), std::invalid_argument);
-}
-
-TEST(FacetColours, FallByDecibelsBelowTheBrightestPerArea) {
-  TwoPlates plates = two_plates();
-  const auto decibels = decibels_below_brightest(plates.mesh, plates.result);
-  EXPECT_DOUBLE_EQ(decibels[0], 0.0);
-  EXPECT_NEAR(decibels[2], -20.0, 1e-12);
-  plates.mesh.areas[0] = 0.25;
-  EXPECT_NEAR(decibels_below_brightest(plates.mesh, plates.result)[2], -20.0 - 10.0 * std::log10(2.0), 1e-12);
 }
 
 TEST(ParallelView, ShowsTheWholeMeshWithoutStretchingIt) {

@@ -4,6 +4,8 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
@@ -56,6 +58,20 @@ TEST_F(FacetsVtp, ReadsBackWithEveryArrayAndExactDoubles) {
   EXPECT_EQ(field("receiver_elevation_deg"), 0.0);
   EXPECT_EQ(field("transmitter_elevation_deg"), 0.0);
   EXPECT_EQ(field("sigma_total_m2"), plates_.result.sigma_total_m2);
+}
+
+TEST_F(FacetsVtp, SaysUnits) {
+  read_back();
+  const auto unit = [](vtkDataArray* array) {
+    vtkInformation* information = array->GetInformation();
+    return std::string(information->Has(vtkDataArray::UNITS_LABEL()) ? information->Get(vtkDataArray::UNITS_LABEL())
+                                                                     : "none");
+  };
+  EXPECT_EQ(unit(data_->GetCellData()->GetArray("sigma_m2")), "m2");
+  EXPECT_EQ(unit(data_->GetCellData()->GetArray("seen_fraction")), "1");
+  EXPECT_EQ(unit(data_->GetCellData()->GetArray("part")), "none");
+  EXPECT_EQ(unit(data_->GetFieldData()->GetArray("receiver_azimuth_deg")), "degree");
+  EXPECT_EQ(unit(data_->GetFieldData()->GetArray("sigma_total_m2")), "m2");
 }
 
 TEST_F(FacetsVtp, KeepsCornersExactlyAndInOrder) {
