@@ -27,9 +27,13 @@ struct PlotOptions {
   std::string azimuth, elevation, from, floor;
 };
 
-PictureSize plot_size(const PlotOptions& options) {
-  if (options.size.empty()) return options.kind == "polar" ? PictureSize{1200, 1200} : PictureSize{1600, 1000};
-  return size_from_words(options.size, "--size", {1200, 900});  // letters keep their size: on less they would meet
+// Letters and lines are as large as on the usual size, as much as that is enlarged to fit.
+Canvas canvas_for(const PlotOptions& options) {
+  const PictureSize usual = options.kind == "polar" ? PictureSize{1200, 1200} : PictureSize{1600, 1000};
+  const PictureSize size = options.size.empty() ? usual : size_from_words(options.size, "--size", {400, 250});
+  const double enlarged = std::min(static_cast<double>(size.width) / usual.width,  //
+                                   static_cast<double>(size.height) / usual.height);
+  return plot_canvas(options.output, size.width, size.height, enlarged);
 }
 
 std::optional<double> number_if_given(const std::string& words, const char* flag) {
@@ -184,8 +188,7 @@ void draw_parts(Canvas& canvas, const PlotOptions& options, const std::vector<Pl
 void plot(const PlotOptions& options, const Common& common) {
   require_kind(options.kind);
   require_fitting_flags(options);
-  const PictureSize size = plot_size(options);
-  Canvas canvas = plot_canvas(options.output, size.width, size.height);
+  Canvas canvas = canvas_for(options);
   require_folder_of(options.output, "--output");
   std::vector<PlottedSweep> sweeps;
   for (const std::string& input : options.inputs) sweeps.push_back(read_plotted_sweep(input));

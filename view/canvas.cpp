@@ -74,8 +74,10 @@ double shift(AlignY align, double cap_height) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height, Recording recording) : sheet_{width, height, {}}, recording_(recording) {
-  if (width <= 0 || height <= 0) throw std::invalid_argument("a picture needs a width and a height above zero");
+Canvas::Canvas(int width, int height, Recording recording, double magnification)
+    : sheet_{width, height, {}}, magnification_(magnification), recording_(recording) {
+  if (width <= 0 || height <= 0 || !(magnification > 0.0))
+    throw std::invalid_argument("a picture needs a width, a height and a magnification above zero");
   sheet_.rgb.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
   no_clip();
 }
@@ -84,9 +86,20 @@ Canvas::Canvas(Picture ground) : sheet_(std::move(ground)) {
   no_clip();
 }
 
+Pen Canvas::on_sheet(Pen pen) const {
+  pen.width *= magnification_;
+  for (double& length : pen.dash) length *= magnification_;
+  return pen;
+}
+
+std::vector<Point> Canvas::on_sheet(std::vector<Point> points) const {
+  for (Point& p : points) p = on_sheet(p);
+  return points;
+}
+
 template <class Shape>
 void Canvas::record(const Shape& shape) {
-  if (recording_ == Recording::shapes) elements_.push_back(shape(SvgElements(height())));
+  if (recording_ == Recording::shapes) elements_.push_back(shape(SvgElements(sheet_.height)));
 }
 
 std::string Canvas::svg() const {
@@ -98,7 +111,7 @@ std::string Canvas::svg() const {
 
 void Canvas::clip(const Box& box) {
   no_clip();
-  const Pixels inside = pixels_of(box);
+  const Pixels inside = pixels_of(on_sheet(box));
   clip_ = {{inside.left + 0.0, inside.bottom + 0.0}, {inside.right + 0.0, inside.top + 0.0}};
   record([&](const SvgElements& svg) { return svg.clip(clip_, clips_); });
   ++clips_;
@@ -106,7 +119,7 @@ void Canvas::clip(const Box& box) {
 }
 
 void Canvas::no_clip() {
-  clip_ = {{0.0, 0.0}, {width(), height()}};
+  clip_ = {{0.0, 0.0}, {sheet_.width + 0.0, sheet_.height + 0.0}};
   if (in_clip_) record([](const SvgElements& svg) { return svg.end_of_clip(); });
   in_clip_ = false;
 }
@@ -145,7 +158,11 @@ void Canvas::blend(int column, int row, const Colour& colour, double opacity) {
     pixel[k] = static_cast<std::uint8_t>(std::lround(std::lerp(pixel[k], 255.0 * ink[k], opacity)));
 }
 
-void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
+void Canvas::fill(const Box& given, const Colour& colour, double opacity) {
+  fill_pixels(on_sheet(given), colour, opacity);
+}
+
+void Canvas::fill_pixels(const Box& box, const Colour& colour, double opacity) {
   record([&](const SvgElements& svg) { return svg.fill(box, colour, opacity); });
   const Pixels area = pixels_of(box);
   // The share of a pixel between two places.
@@ -157,12 +174,17 @@ void Canvas::fill(const Box& box, const Colour& colour, double opacity) {
       blend(column, row, colour, opacity * share(row, box.low.y, box.high.y) * share(column, box.low.x, box.high.x));
 }
 
-void Canvas::line(const std::vector<Point>& points, const Pen& pen) {
+void Canvas::line(const std::vector<Point>& given, const Pen& given_pen) {
+  const std::vector<Point> points = on_sheet(given);
+  const Pen pen = on_sheet(given_pen);
   record([&](const SvgElements& svg) { return svg.lines({points}, pen); });
   ink_lines(dashes(points, pen.dash), pen);
 }
 
-void Canvas::strokes(const std::vector<std::vector<Point>>& strokes, const Pen& pen) {
+void Canvas::strokes(const std::vector<std::vector<Point>>& given, const Pen& given_pen) {
+  std::vector<std::vector<Point>> strokes = given;
+  for (std::vector<Point>& stroke : strokes) stroke = on_sheet(std::move(stroke));
+  const Pen pen = on_sheet(given_pen);
   record([&](const SvgElements& svg) { return svg.lines(strokes, {pen.colour, pen.width}); });
   ink_lines(strokes, pen);
 }
@@ -192,17 +214,23 @@ void Canvas::frame(const Box& box, const Pen& pen) {
   line({box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}, box.low}, pen);
 }
 
-void Canvas::circle(const Point& centre, double radius, const Pen& pen) {
+void Canvas::circle(const Point& given, double given_radius, const Pen& given_pen) {
+  const Point centre = on_sheet(given);
+  const double radius = magnification_ * given_radius;
+  const Pen pen = on_sheet(given_pen);
   record([&](const SvgElements& svg) { return svg.circle(centre, radius, pen); });
   ink_lines(dashes(arc_points(centre, radius), pen.dash), pen);
 }
 
-void Canvas::disc(const Point& centre, double radius, const Colour& colour) {
+void Canvas::disc(const Point& given, double given_radius, const Colour& colour) {
+  const Point centre = on_sheet(given);
+  const double radius = magnification_ * given_radius;
   record([&](const SvgElements& svg) { return svg.disc(centre, radius, colour); });
   ink_lines({{centre}}, {colour, 2.0 * radius});
 }
 
-void Canvas::area(const std::vector<Point>& outline, const Colour& colour, double opacity) {
+void Canvas::area(const std::vector<Point>& given, const Colour& colour, double opacity) {
+  const std::vector<Point> outline = on_sheet(given);
   record([&](const SvgElements& svg) { return svg.area(outline, colour, opacity); });
   Picture painted = sheet_;
   paint_tiles(painted, clip_, {{outline, colour}});
@@ -212,12 +240,15 @@ void Canvas::area(const std::vector<Point>& outline, const Colour& colour, doubl
                  });
 }
 
-void Canvas::tiles(const std::vector<Tile>& tiles) {
+void Canvas::tiles(const std::vector<Tile>& given) {
+  std::vector<Tile> tiles = given;
+  for (Tile& tile : tiles) tile.outline = on_sheet(std::move(tile.outline));
   record([&](const SvgElements& svg) { return svg.tiles(tiles); });
   paint_tiles(sheet_, clip_, tiles);
 }
 
 void Canvas::paste(const Picture& picture, int left, int bottom) {
+  if (magnification_ != 1.0) throw std::logic_error("a canvas that magnifies takes no pictures");
   record([&](const SvgElements& svg) { return svg.picture(picture, left, bottom); });
   const Pixels area =
       pixels_of({{left + 0.0, bottom + 0.0}, {left + 0.0 + picture.width, bottom + 0.0 + picture.height}});
@@ -228,7 +259,10 @@ void Canvas::paste(const Picture& picture, int left, int bottom) {
   }
 }
 
-void Canvas::text(const Point& anchor, const std::string& text, const TextStyle& style) {
+void Canvas::text(const Point& given, const std::string& text, const TextStyle& given_style) {
+  const Point anchor = on_sheet(given);
+  TextStyle style = given_style;
+  style.font.size = std::max(1, static_cast<int>(std::lround(magnification_ * given_style.font.size)));
   const TextBitmap bitmap = text_bitmap(text, style.font);
   const double dx = shift(style.x, bitmap.width);
   const double lift = shift(style.y, bitmap.capital);  // from the anchor to the baseline
@@ -239,7 +273,7 @@ void Canvas::text(const Point& anchor, const std::string& text, const TextStyle&
   const int up = style.upward ? bitmap.width : bitmap.height;
   const Box ground{{static_cast<double>(left), static_cast<double>(bottom)},
                    {static_cast<double>(left + across), static_cast<double>(bottom + up)}};
-  if (style.halo > 0.0) fill(ground, white, style.halo);
+  if (style.halo > 0.0) fill_pixels(ground, white, style.halo);
   record([&](const SvgElements& svg) {
     const Point baseline{anchor.x - (style.upward ? lift : 0.0), anchor.y + (style.upward ? 0.0 : lift)};
     return svg.text(baseline, text, style, advance(text, style.font));

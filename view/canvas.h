@@ -57,12 +57,14 @@ enum class Recording { none, shapes };
 // check: tests/view/canvas_test.cpp measures areas of ink.
 class Canvas {
  public:
-  // throws std::invalid_argument unless both are positive
-  Canvas(int width, int height, Recording recording = Recording::none);
+  // magnification: pixels of the picture for each that shapes are given in: all of a plot grows with its picture.
+  // throws std::invalid_argument unless all are positive
+  Canvas(int width, int height, Recording recording = Recording::none, double magnification = 1.0);
   explicit Canvas(Picture ground);
 
-  [[nodiscard]] double width() const { return sheet_.width; }
-  [[nodiscard]] double height() const { return sheet_.height; }
+  // Of the sheet, as shapes see it.
+  [[nodiscard]] double width() const { return sheet_.width / magnification_; }
+  [[nodiscard]] double height() const { return sheet_.height / magnification_; }
 
   void clip(const Box& box);
   void no_clip();
@@ -80,6 +82,7 @@ class Canvas {
   // Filled polygons, later ones over earlier ones, without seams between neighbours: see view/tiles.h.
   void tiles(const std::vector<Tile>& tiles);
   // Another picture over this one, its lower left pixel at (left, bottom); what lies outside the clip box is left out.
+  // domain: a canvas that magnifies nothing.
   void paste(const Picture& picture, int left, int bottom);
   void text(const Point& anchor, const std::string& text, const TextStyle& style);
 
@@ -92,15 +95,22 @@ class Canvas {
     int left, bottom, right, top;
     [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
   };
+  // What is given, in pixels of the sheet.
+  [[nodiscard]] Point on_sheet(const Point& p) const { return {magnification_ * p.x, magnification_ * p.y}; }
+  [[nodiscard]] Box on_sheet(const Box& box) const { return {on_sheet(box.low), on_sheet(box.high)}; }
+  [[nodiscard]] Pen on_sheet(Pen pen) const;
+  [[nodiscard]] std::vector<Point> on_sheet(std::vector<Point> points) const;
   template <class Shape>  // what it gives of an SvgElements
   void record(const Shape& shape);
   [[nodiscard]] Pixels pixels_of(const Box& box) const;
+  void fill_pixels(const Box& box, const Colour& colour, double opacity);
   void blend(int column, int row, const Colour& colour, double opacity);
   void ink_lines(const std::vector<std::vector<Point>>& lines, const Pen& pen);
   void lay(vtkAlgorithm* mask, int left, int bottom, const Pixels& area, vtkScalarsToColors* inks);
 
   Picture sheet_;
-  Box clip_;
+  double magnification_ = 1.0;
+  Box clip_;  // [pixel of the sheet]
   Recording recording_ = Recording::none;
   std::vector<std::string> elements_;  // of SVG (view/svg.h)
   std::size_t clips_ = 0;              // recorded so far

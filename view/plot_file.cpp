@@ -14,8 +14,8 @@ bool is_svg(const std::filesystem::path& file) {
 
 }  // namespace
 
-Canvas plot_canvas(const std::filesystem::path& file, int width, int height) {
-  return {width, height, is_svg(file) ? Recording::shapes : Recording::none};
+Canvas plot_canvas(const std::filesystem::path& file, int width, int height, double magnification) {
+  return {width, height, is_svg(file) ? Recording::shapes : Recording::none, magnification};
 }
 
 void write_plot(const std::filesystem::path& file, const Canvas& canvas) {

@@ -188,7 +188,7 @@ TEST_F(Plot, SaysWhatIsWrong) {
       {{"scene", "--floor", "90"}, "--floor: expected less than the highest LRCS, "},
       {{"scene", "--floor", "-1e9"}, "--floor: expected less than the highest LRCS, "},
       {{"scene", "--kind", "parts", "--floor", "0"}, "--floor: belongs to --kind cut, polar, map or sphere"},
-      {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 1200x900 to 8000x8000 pixels, found '100x100'"},
+      {{"scene", "--size", "100x100"}, "--size: expected WIDTHxHEIGHT, 400x250 to 8000x8000 pixels, found '100x100'"},
       {{"scene", "--size", "1600"}, "--size: expected WIDTHxHEIGHT"},
       {{"scene", "--kind", "part"},
        "--kind: expected cut, polar, map, sphere or parts, found 'part', did you mean 'parts'?"},

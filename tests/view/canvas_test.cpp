@@ -75,6 +75,41 @@ TEST(Canvas, DrawsStrokesAsTheirLines) {
   EXPECT_EQ(at_once.picture().rgb, in_turn.picture().rgb);
 }
 
+TEST(Canvas, MagnifiesAllThatIsDrawn) {
+  constexpr int factor = 3;
+  const auto drawn = [](Canvas canvas) {
+    EXPECT_EQ(canvas.width(), 200.0);
+    EXPECT_EQ(canvas.height(), 100.0);
+    const Font font{20, false};
+    const std::vector<Point> corner{{110.0, 10.0}, {130.0, 10.0}, {130.0, 30.0}};
+    canvas.clip({{0.0, 0.0}, {190.0, 100.0}});
+    canvas.fill({{10.0, 10.0}, {30.0, 20.0}}, black);
+    canvas.line({{10.0, 40.0}, {200.0, 40.0}}, {black, 4.0, {12.0, 8.0}});
+    canvas.strokes({{{10.0, 50.0}, {60.0, 50.0}}}, {black, 3.0});
+    canvas.circle({50.0, 80.0}, 10.0, {black, 3.0});
+    canvas.disc({90.0, 80.0}, 10.0, black);
+    canvas.area(corner, black, 1.0);
+    canvas.tiles({{{{140.0, 10.0}, {160.0, 10.0}, {160.0, 30.0}}, black}});
+    canvas.text({120.0, 70.0}, "HEL", {.font = font, .colour = black});
+    canvas.no_clip();
+    return black_area(canvas);
+  };
+  const double plain = drawn({200, 100}), magnified = drawn({factor * 200, factor * 100, Recording::none, factor});
+  EXPECT_NEAR(magnified / (factor * factor * plain), 1.0, 0.03);
+  Canvas canvas(200, 100, Recording::none, 2.0);
+  EXPECT_THROW(canvas.paste(Picture{1, 1, {0, 0, 0}}, 0, 0), std::logic_error);
+  EXPECT_THROW(Canvas(200, 100, Recording::none, 0.0), std::invalid_argument);
+}
+
+TEST(Canvas, MagnifiesWhatItRecords) {
+  Canvas canvas(600, 300, Recording::shapes, 3.0);
+  canvas.text({20.0, 10.0}, "H", {.font = {20, false}});
+  canvas.line({{1.0, 2.0}, {3.0, 4.0}}, {black, 2.0});
+  const std::string svg = canvas.svg();
+  EXPECT_NE(svg.find("font-size=\"60\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("stroke-width=\"6\""), std::string::npos) << svg;
+}
+
 TEST(Canvas, TurnsTextByAQuarter) {
   Canvas flat(300, 300);
   Canvas upward(300, 300);
