@@ -16,6 +16,7 @@
 #include "base/nearest_name.h"
 #include "base/version.h"
 #include "cli/commands.h"
+#include "cli/font_warning.h"
 
 namespace lrcs {
 namespace {
@@ -117,6 +118,7 @@ int run(int argc, char** argv) {
   try {
     check_verb(app, {common.command.begin() + std::min(argc, 1), common.command.end()});
     app.parse(argc, argv);
+    warn_of_letters_without_font(common);
     return finish_output();
   } catch (const CLI::Success& help) {
     app.exit(help);

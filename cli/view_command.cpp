@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/facet_results.h"
 #include "cli/flag_words.h"
+#include "cli/font_warning.h"
 #include "cli/past_run.h"
 #include "cli/progress_bar.h"
 #include "cli/rows_ahead.h"
@@ -18,6 +19,7 @@
 #include "lrcs/facet_sections.h"
 #include "view/aspect_view.h"
 #include "view/aspect_window.h"
+#include "view/text_bitmap.h"
 
 namespace lrcs {
 namespace {
@@ -61,6 +63,15 @@ FacetShowing showing_of(const Options& options) {
   return showing;
 }
 
+// A window may stay open for long: what main would say at its end is said before.
+void warn_of_names(const ViewedSweep& sweep, const Target& target, const Common& common) {
+  std::vector<std::string> names = target.mesh.part.names;
+  names.push_back(sweep.title);
+  for (const Material& material : target.materials) names.push_back(material.name);
+  for (const std::string& name : names) (void)text_bitmap(name, {20, false});
+  warn_of_letters_without_font(common);
+}
+
 void view(const Options& options, const Common& common) {
   const auto [width, height] = size_from_words(options.size, "--size", {640, 360});
   const FacetShowing showing = showing_of(options);
@@ -88,6 +99,7 @@ void view(const Options& options, const Common& common) {
   AspectView view(
       sweep, [&](std::size_t row) { return looks_ahead ? ahead.at(row) : compute(row); }, first);
   view.show(showing);
+  warn_of_names(sweep, target, common);
   const bool is_folder = std::filesystem::is_directory(options.input);
   show_aspect_window(view, "lrcs: " + sweep.title, is_folder ? options.input : ".",
                      [](const std::string& line) { fmt::print("{}\n", line), std::fflush(stdout); });

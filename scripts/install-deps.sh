@@ -7,7 +7,7 @@ set -eu
 packages="g++ cmake ninja-build ccache
   libeigen3-dev libcgal-dev libopenmesh-dev libvtk9-dev libyaml-cpp-dev libtbb-dev libfmt-dev
   libcli11-dev libembree-dev libceres-dev libpagmo-dev libboost-dev libocct-data-exchange-dev libassimp-dev libzip-dev zlib1g-dev nlohmann-json3-dev libssl-dev libhdf5-dev libgmp-dev libmpfr-dev libgtest-dev libgmock-dev
-  xvfb libgl1-mesa-dri libxtst-dev"
+  libfreetype-dev libfontconfig-dev fonts-droid-fallback xvfb libgl1-mesa-dri libxtst-dev"
 for more in "$@"; do
   case $more in
     --checks)

@@ -276,7 +276,8 @@ void Canvas::text(const Point& given, const std::string& text, const TextStyle& 
   if (style.halo > 0.0) fill_pixels(ground, white, style.halo);
   record([&](const SvgElements& svg) {
     const Point baseline{anchor.x - (style.upward ? lift : 0.0), anchor.y + (style.upward ? 0.0 : lift)};
-    return svg.text(baseline, text, style, advance(text, style.font));
+    // A viewer may have letters that no font here has.
+    return svg.text(baseline, text, style, bitmap.has_every_letter ? advance(text, style.font) : 0.0);
   });
   const Pixels area = pixels_of(ground);
   for (int row = area.bottom; row < area.top; ++row)

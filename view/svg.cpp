@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "view/readable_text.h"
+
 namespace lrcs {
 namespace {
 
@@ -63,12 +65,11 @@ bool is_upright_box(const Tile& tile) {
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : readable(text)) {
     if (c == '&') safe += "&amp;";
     if (c == '<') safe += "&lt;";
     if (c == '>') safe += "&gt;";
-    // XML has no other control characters, not even escaped.
-    if (c != '&' && c != '<' && c != '>') safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (c != '&' && c != '<' && c != '>') safe += c;
   }
   return safe;
 }

@@ -24,7 +24,8 @@ class SvgElements {
   [[nodiscard]] std::string tiles(const std::vector<Tile>& tiles) const;
   // Embedded as PNG.
   [[nodiscard]] std::string picture(const Picture& picture, int left, int bottom) const;
-  // `baseline`: where the text's anchor lies on the line that letters stand on. `width`: that it shall take [pixel].
+  // `baseline`: where the text's anchor lies on the line that letters stand on. `width`: that it shall take [pixel];
+  // 0: as the viewer's font has it.
   [[nodiscard]] std::string text(const Point& baseline, const std::string& text, const TextStyle& style,
                                  double width) const;
   // A group that is left open: to be ended by end_of_clip().

@@ -1,11 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace lrcs {
 
-// Type: the sans-serif face that VTK carries inside, so that pictures need no fonts on the machine.
+// Type: the sans-serif face that VTK carries inside, so that pictures need no fonts on the machine; letters that it
+// lacks, as Chinese, Greek and Cyrillic ones, are taken from fonts that are installed.
 struct Font {
   int size = 0;  // of the em square [pixel]
   bool bold = false;
@@ -20,11 +22,17 @@ struct TextBitmap {
   int baseline = 0;
   int capital = 0;
   std::vector<std::uint8_t> coverage;
+  bool has_every_letter = true;
 };
 
-// domain: UTF-8, one line; Latin letters and common signs; the face has no Greek, and what it lacks leaves no ink.
-// laws: the same text gives the same bitmap. Needs no display.
+// domain: one line, from left to right; what is no UTF-8 is made readable (view/readable_text.h). A letter that no font
+// has is drawn as <U+592A>, its code point.
+// laws: the same text gives the same bitmap; letters of VTK's face alone, on every machine. Needs no display.
+// check: tests/view/text_bitmap_test.cpp
 // Not for two threads at once: VTK's cache of letters is shared.
 [[nodiscard]] TextBitmap text_bitmap(const std::string& text, const Font& font);
+
+// Those that no font had, of all text so far.
+[[nodiscard]] const std::set<char32_t>& letters_without_font();
 
 }  // namespace lrcs

@@ -210,5 +210,23 @@ TEST_F(Plot, OfPartsNeedsTheTargetAsItWas) {
   EXPECT_EQ(plot({"scene", "--kind", "cut", "-o", "cut.png"}).status, 0);
 }
 
+TEST_F(Plot, SaysOnceThatNoFontHasItsLetters) {
+  sweep({"scene"});
+  folder_.write("none.conf", "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+  const Surroundings without_fonts{folder_.path(), {{"FONTCONFIG_FILE", (folder_.path() / "none.conf").string()}}};
+  const Words words{"plot", "scene", "--title", "太阳能板 #2", "--label", "阳", "-o"};
+  const Outcome outcome = run_lrcs(with(words, {"without.png"}), without_fonts);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("lrcs: warning: no installed font has 4 letters of"));
+  EXPECT_THAT(outcome.err, HasSubstr("drawn as <U+592A>: install fonts-noto-cjk"));
+  EXPECT_EQ(run_lrcs(with(words, {"quiet.png", "-q"}), without_fonts).err, "");
+  // A viewer may have them.
+  EXPECT_EQ(run_lrcs(with(words, {"without.svg", "-q"}), without_fonts).status, 0);
+  EXPECT_THAT(folder_.read("without.svg"), HasSubstr(">太阳能板 #2<"));
+  EXPECT_EQ(plot(with(words, {"with.png"})).err, "");
+  EXPECT_NE(folder_.read("with.png"), folder_.read("without.png"));
+}
+
 }  // namespace
 }  // namespace lrcs

@@ -211,5 +211,12 @@ TEST(PlotFile, OfAnotherKindIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(pdf));
 }
 
+TEST(Svg, KeepsLettersOfAnyScriptAndShowsBytesThatAreNoText) {
+  Canvas canvas = recording();
+  canvas.text({20.0, 80.0}, "panel 太阳能板 Ω", {});
+  canvas.text({20.0, 30.0}, "caf\xe9\x01#2", {});
+  EXPECT_EQ(read_back(canvas).texts(), (std::vector<std::string>{"panel 太阳能板 Ω", "caf<E9> #2"}));
+}
+
 }  // namespace
 }  // namespace lrcs

@@ -1,0 +1,63 @@
+#include "view/readable_text.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace lrcs {
+namespace {
+
+struct Sequence {
+  char32_t letter;
+  std::size_t bytes;  // 0: not UTF-8
+};
+
+// The first letter.
+Sequence decoded(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+  if (bytes == 0 || bytes > text.size()) return {0, 0};
+  char32_t letter = lead & (0x7fU >> bytes);
+  for (std::size_t k = 1; k < bytes; ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if ((byte & 0xc0U) != 0x80U) return {0, 0};
+    letter = letter << 6U | (byte & 0x3fU);
+  }
+  const bool overlong = (bytes == 3 && letter < 0x800) || (bytes == 4 && letter < 0x10000);
+  const bool surrogate = letter >= 0xd800 && letter < 0xe000;
+  return overlong || surrogate || letter > 0x10ffff ? Sequence{0, 0} : Sequence{letter, bytes};
+}
+
+// Those of ASCII and of Latin-1; and the two code points that XML refuses.
+bool is_control(char32_t letter) {
+  return letter < 0x20 || (letter >= 0x7f && letter < 0xa0) || letter == 0xfffe || letter == 0xffff;
+}
+
+}  // namespace
+
+std::string readable(const std::string& text) {
+  std::string shown;
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto [letter, bytes] = decoded(rest);
+    if (bytes == 0)
+      shown += fmt::format("<{:02X}>", static_cast<unsigned char>(rest.front()));
+    else
+      shown += is_control(letter) ? " " : rest.substr(0, bytes);
+    rest.remove_prefix(bytes == 0 ? 1 : bytes);
+  }
+  return shown;
+}
+
+std::u32string letters_of(const std::string& utf8) {
+  std::u32string letters;
+  for (std::string_view rest = utf8; !rest.empty();) {
+    const auto [letter, bytes] = decoded(rest);
+    if (bytes == 0) break;
+    letters += letter;
+    rest.remove_prefix(bytes);
+  }
+  return letters;
+}
+
+}  // namespace lrcs
