@@ -6,7 +6,7 @@
 
 namespace lrcs {
 
-// Which pictures `lrcs brdf` draws, into which PNG files; an empty name: not that one.
+// Which pictures `lrcs brdf` draws, into which PNG or SVG files; an empty name: not that one.
 struct BrdfPictures {
   std::string curves;             // f_r in the plane of incidence
   std::string shadowing;          // G in the plane of incidence
@@ -14,7 +14,7 @@ struct BrdfPictures {
   std::string surface_shadowing;  // G over them
 };
 
-// error: InputError for a file that does not end in .png, whose folder is not there or that two flags name, and where a
+// error: InputError for a file that does not end in .png or .svg, whose folder is not there or that two flags name, and where a
 // picture asked for
 //   cannot be of these materials: G of a model without a shadowing function, more materials than curves in a plot can
 //   be told apart, materials to compare with but no plot of curves.

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 struct Flags {
   std::string data, model = "five_parameter", material, wavelength, azimuth_of_specular, value, residual = "linear",
-                    incidence;
+                    incidence, pictures = "png";
   FitOptions fit;
 };
 
@@ -127,11 +127,15 @@ fs::path facts_of(const std::string& material) {
   return fs::path(material).replace_extension(".json");
 }
 
+FitPictureFiles pictures_of(const Flags& flags) {
+  return picture_files(flags.material, "." + one_of(flags.pictures, "--pictures", {"png", "svg"}));
+}
+
 // The material last: where there is one, the rest is there too.
 std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, const BrdfMeasurement& measurement) {
   Material material = fit.material;
   material.source = fmt::format("{} fitted by lrcs to {}, E = {:.4g} %", fit.form, measurement.name, fit.e_percent);
-  auto files = draw_fit_pictures(flags.material, fit, measurement, flags.fit.residual);
+  auto files = draw_fit_pictures(pictures_of(flags), fit, measurement, flags.fit.residual);
   const fs::path facts = facts_of(flags.material);
   write_whole_file(facts, fit_json(fit, measurement));
   write_whole_file(flags.material, material_to_yaml(material));
@@ -140,9 +144,9 @@ std::vector<fs::path> write_results(const Flags& flags, const BrdfFit& fit, cons
 }
 
 void check_output(const Flags& flags) {
+  const FitPictureFiles pictures = pictures_of(flags);
   if (flags.material.empty()) return;
   require_output_file(flags.material, "--output", {".yaml", ".yml"});
-  const FitPictureFiles pictures = picture_files(flags.material);
   for (const fs::path& file : {fs::path(flags.material), facts_of(flags.material), pictures.fit, pictures.shadowing}) {
     std::error_code none;
     if (fs::equivalent(file, flags.data, none))
@@ -249,10 +253,10 @@ void add_fit_command(CLI::App& app, Common& common) {
   verb->add_option("data", flags->data, "Measured BRDF: lrcs CSV, ALTA .dat, Zemax .bsdf, FRED, MERL .binary, tables")
       ->required();
   verb->add_option("-m,--model", flags->model, "A model, or all: compares them (default five_parameter)");
-  verb->add_option(
-      "-o,--output", flags->material,
-      "Write the material (MATERIAL.yaml), the facts of the fit (.json) and pictures (.png); of all models "
-      "that with the least information criterion");
+  verb->add_option("-o,--output", flags->material,
+                   "Write the material (MATERIAL.yaml), the facts of the fit (.json) and pictures; of all models "
+                   "that with the least information criterion");
+  verb->add_option("--pictures", flags->pictures, "Of --output: png (default) or svg");
   verb->add_option("--wavelength", flags->wavelength, "Which wavelength of the file, or what the file leaves unsaid");
   verb->add_option("--azimuth-of-specular", flags->azimuth_of_specular,
                    "Where the file leaves it unsaid: the azimuth of the specular side, 180 (default) or 0 [deg]");

@@ -106,7 +106,7 @@ std::string note_of(const BrdfFit& fit, const BrdfMeasurement& measurement, cons
   return choice.empty() ? note : note + "; " + choice;
 }
 
-void draw_fit(const fs::path& png, const BrdfFit& fit, const BrdfMeasurement& measurement, Residual residual,
+void draw_fit(const fs::path& file, const BrdfFit& fit, const BrdfMeasurement& measurement, Residual residual,
               const ByIncidence& groups) {
   const auto incidences = chosen_incidences(groups, most_incidences_of_a_fit);
   FitPicture picture;
@@ -116,32 +116,31 @@ void draw_fit(const fs::path& png, const BrdfFit& fit, const BrdfMeasurement& me
   const double largest = largest_f_cos(measurement);
   for (const double theta_i_deg : incidences)
     picture.curves.push_back(curve_of(fit.material.brdf, theta_i_deg, groups.at(theta_i_deg), residual, largest));
-  draw_fit_plot(png, picture);
+  draw_fit_plot(file, picture);
 }
 
-void draw_shadowing(const fs::path& png, const BrdfFit& fit, const ByIncidence& groups) {
+void draw_shadowing(const fs::path& file, const BrdfFit& fit, const ByIncidence& groups) {
   const auto incidences = chosen_incidences(groups, most_incidences_of_a_family);
-  draw_shadowing_plot(png, {shadowing_curves(fit.form, fit.material.brdf, incidences)},
+  draw_shadowing_plot(file, {shadowing_curves(fit.form, fit.material.brdf, incidences)},
                       fmt::format("Shadowing function fitted to {}", fit.material.name),
                       choice_note(incidences.size(), groups.size()));
 }
 
 }  // namespace
 
-FitPictureFiles picture_files(const fs::path& material) {
-  return {fs::path(material).replace_extension(".png"),
-          material.parent_path() / (material.stem().string() + "-shadowing.png")};
+FitPictureFiles picture_files(const fs::path& material, const std::string& ending) {
+  return {fs::path(material).replace_extension(ending),
+          material.parent_path() / (material.stem().string() + "-shadowing" + ending)};
 }
 
 bool is_measured_in_plane(const BrdfMeasurement& measurement) {
   return std::any_of(measurement.samples.begin(), measurement.samples.end(), is_in_plane);
 }
 
-std::vector<fs::path> draw_fit_pictures(const fs::path& material, const BrdfFit& fit,
+std::vector<fs::path> draw_fit_pictures(const FitPictureFiles& files, const BrdfFit& fit,
                                         const BrdfMeasurement& measurement, Residual residual) {
   const ByIncidence groups = samples_in_plane(measurement);
   if (groups.empty()) return {};
-  const FitPictureFiles files = picture_files(material);
   draw_fit(files.fit, fit, measurement, residual, groups);
   if (!has_shadowing(fit.material.brdf)) return {files.fit};
   draw_shadowing(files.shadowing, fit, groups);

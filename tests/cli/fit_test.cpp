@@ -297,6 +297,18 @@ TEST(Fit, DrawsLogarithmicResidualsOfASampleThatDoesNotCount) {
   EXPECT_EQ(folder.read("fit.png").substr(1, 3), "PNG");
 }
 
+TEST(Fit, DrawsSvgWhereAsked) {
+  const ScratchFolder folder;
+  folder.write("data.csv", made_data());
+  const Words words{"fit", "data.csv", "-m", "lambert", "-o", "漆.yaml", "--pictures", "svg", "-q"};
+  ASSERT_EQ(run_lrcs(words, {folder.path()}).status, 0);
+  EXPECT_NE(folder.read("漆.svg").find("<svg"), std::string::npos);
+  EXPECT_FALSE(folder.has("漆.png"));
+  const Outcome wrong = run_lrcs({"fit", "data.csv", "--pictures", "pdf"}, {folder.path()});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "lrcs: --pictures: expected png or svg, found 'pdf'\n");
+}
+
 TEST(Fit, WarnsOfOneAngleOfIncidenceUnlessQuiet) {
   const ScratchFolder folder;
   folder.write("data.csv", run_lrcs({"brdf", "metal-skin-5p", "--theta-i", "30", "-q"}).out);
