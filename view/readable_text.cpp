@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace lrcs {
@@ -34,17 +35,42 @@ bool is_control(char32_t letter) {
   return letter < 0x20 || (letter >= 0x7f && letter < 0xa0) || letter == 0xfffe || letter == 0xffff;
 }
 
+bool is_ascii(char byte) {
+  return static_cast<unsigned char>(byte) < 0x80;
+}
+
+// As much of the text as is either ASCII or not.
+std::string_view first_row(std::string_view text) {
+  const bool ascii = is_ascii(text.front());
+  const auto other = std::find_if(text.begin(), text.end(), [&](char byte) { return is_ascii(byte) != ascii; });
+  return text.substr(0, static_cast<std::size_t>(other - text.begin()));
+}
+
+std::string bytes_shown(std::string_view row) {
+  std::string shown;
+  for (const char byte : row) shown += fmt::format("<{:02X}>", static_cast<unsigned char>(byte));
+  return shown;
+}
+
+std::string row_shown(std::string_view row) {
+  std::string shown;
+  for (std::string_view rest = row; !rest.empty();) {
+    const auto [letter, bytes] = decoded(rest);
+    if (bytes == 0) return bytes_shown(row);
+    shown += is_control(letter) ? " " : rest.substr(0, bytes);
+    rest.remove_prefix(bytes);
+  }
+  return shown;
+}
+
 }  // namespace
 
 std::string readable(const std::string& text) {
   std::string shown;
   for (std::string_view rest = text; !rest.empty();) {
-    const auto [letter, bytes] = decoded(rest);
-    if (bytes == 0)
-      shown += fmt::format("<{:02X}>", static_cast<unsigned char>(rest.front()));
-    else
-      shown += is_control(letter) ? " " : rest.substr(0, bytes);
-    rest.remove_prefix(bytes == 0 ? 1 : bytes);
+    const std::string_view row = first_row(rest);
+    shown += row_shown(row);
+    rest.remove_prefix(row.size());
   }
   return shown;
 }

@@ -1,8 +1,11 @@
 #include "view/shortened_text.h"
 
+#include "view/readable_text.h"
+
 namespace lrcs {
 
-std::string shortened(const std::string& text, const Font& font, double room) {
+std::string shortened(const std::string& name, const Font& font, double room) {
+  const std::string text = readable(name);
   if (text_size(text, font).width <= room) return text;
   const auto end_from = [&](std::size_t from) {
     while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0U) == 0x80U) ++from;

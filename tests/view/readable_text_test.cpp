@@ -12,6 +12,7 @@ TEST(ReadableText, IsTheTextWhereThatIsUtf8) {
 
 TEST(ReadableText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(readable("\xb0\xe5"), "<B0><E5>");                            // 板 in GBK
+  EXPECT_EQ(readable("\xcc\xab\xd1\xf4 ²"), "<CC><AB><D1><F4> ²");        // 太阳 in GBK; cc ab alone would be UTF-8
   EXPECT_EQ(readable("caf\xe9 1"), "caf<E9> 1");                          // Latin-1
   EXPECT_EQ(readable("\xe5\xa4"), "<E5><A4>");                            // its end is missing
   EXPECT_EQ(readable("\xc0\x80 \xe0\x9f\xbf"), "<C0><80> <E0><9F><BF>");  // longer than need be
