@@ -14,10 +14,9 @@ struct BrdfPictures {
   std::string surface_shadowing;  // G over them
 };
 
-// error: InputError for a file that does not end in .png or .svg, whose folder is not there or that two flags name, and where a
-// picture asked for
-//   cannot be of these materials: G of a model without a shadowing function, more materials than curves in a plot can
-//   be told apart, materials to compare with but no plot of curves.
+// error: InputError for a file that does not end in .png or .svg, whose folder is not there or that two flags name, and
+//   where a picture asked for cannot be of these materials: G of a model without a shadowing function, more materials
+//   than curves in a plot can be told apart, materials to compare with but no plot of curves.
 void require_drawable(const BrdfPictures& pictures, const std::vector<Material>& materials);
 
 // The first material, in plots of curves beside the others. All values are there before the first file is written.

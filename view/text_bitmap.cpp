@@ -86,7 +86,8 @@ TextBitmap joined(const std::vector<Glyph>& glyphs, const TextBitmap& line) {
   for (const Glyph& glyph : glyphs) {
     for (int k = 0; k < glyph.width * glyph.height; ++k) {
       const int column = pen + glyph.left + k % glyph.width, row = glyph.top - 1 - k / glyph.width - bottom;
-      std::uint8_t& texel = bitmap.coverage[static_cast<std::size_t>(row * bitmap.width + column)];
+      std::uint8_t& texel = bitmap.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(bitmap.width) +
+                                            static_cast<std::size_t>(column)];
       texel = std::max(texel, glyph.coverage[static_cast<std::size_t>(k)]);
     }
     pen += glyph.advance;
