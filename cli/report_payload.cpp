@@ -202,7 +202,7 @@ void append(std::vector<std::uint8_t>& bytes, const T& value) {
 }  // namespace
 
 std::string report_run_facts(const PastRun& run, const std::filesystem::path& manifest) try {
-  return run_json(run, Json::parse(run.manifest)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return run_json(run, Json::parse(run.manifest)).dump(-1, ' ', true, Json::error_handler_t::replace);
 } catch (const nlohmann::json::exception&) {
   throw InputError(Place{manifest.string()}, "expected the manifest of a sweep by this version; run the sweep again");
 }
@@ -231,17 +231,22 @@ std::string report_json(const PastRun& run, const std::string& run_facts,
                     {"step_db", ShownReturns::step_db},
                     {"brightest_per_m2", returns.brightest()},
                     {"coding", "differences"}}}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 std::vector<std::uint8_t> report_facets(const PastRun& run, const ShownTarget& shown, const ShownReturns& returns) {
-  std::vector<std::uint32_t> material(shown.size(), 0);
-  for (std::size_t k = 0; k < shown.shown_of.size(); ++k) material[shown.shown_of[k]] = run.loaded.target.material[k];
+  const Target& target = run.loaded.target;
+  std::vector<std::uint32_t> front(shown.size(), 0), back(shown.size(), 0);
+  for (std::size_t k = 0; k < shown.shown_of.size(); ++k) {
+    front[shown.shown_of[k]] = target.material[k];
+    back[shown.shown_of[k]] = target.back_material()[k];
+  }
   std::vector<std::uint8_t> bytes;
   for (const auto& p : shown.positions) append(bytes, p);
   for (const auto& t : shown.triangles) append(bytes, t);
   for (const std::uint32_t part : shown.part) append(bytes, static_cast<std::uint16_t>(part));
-  for (const std::uint32_t m : material) append(bytes, static_cast<std::uint16_t>(m));
+  for (const auto& side : {front, back})
+    for (const std::uint32_t material : side) append(bytes, static_cast<std::uint16_t>(material));
   for (const double area : shown.area) append(bytes, static_cast<float>(area));
   for (const auto& values : {returns.levels(), returns.seen()}) bytes.insert(bytes.end(), values.begin(), values.end());
   return bytes;

@@ -8,16 +8,13 @@ namespace lrcs {
 namespace {
 
 // shape of values: rows x facets.
-std::vector<std::uint8_t> by_facet_as_differences(const std::vector<std::vector<std::uint8_t>>& values) {
-  std::vector<std::uint8_t> differences;
-  for (std::size_t facet = 0; !values.empty() && facet < values[0].size(); ++facet) {
-    std::uint8_t before = 0;
-    for (const auto& row : values) {
-      differences.push_back(static_cast<std::uint8_t>(row[facet] - before));
-      before = row[facet];
-    }
-  }
-  return differences;
+std::vector<std::uint8_t> first_row_and_differences(const std::vector<std::vector<std::uint8_t>>& values) {
+  if (values.empty()) return {};
+  std::vector<std::uint8_t> coded = values[0];
+  for (std::size_t facet = 0; facet < values[0].size(); ++facet)
+    for (std::size_t row = 1; row < values.size(); ++row)
+      coded.push_back(static_cast<std::uint8_t>(values[row][facet] - values[row - 1][facet]));
+  return coded;
 }
 
 }  // namespace
@@ -64,7 +61,7 @@ std::vector<std::uint8_t> ShownReturns::levels() const {
   for (std::size_t row = 0; row < rows_.size(); ++row)
     for (std::size_t k = 0; k < per_area_[row].size(); ++k)
       levels[row].push_back(level_of(per_area_[row][k], seen_[row][k]));
-  return by_facet_as_differences(levels);
+  return first_row_and_differences(levels);
 }
 
 std::vector<std::uint8_t> ShownReturns::seen() const {
@@ -72,7 +69,7 @@ std::vector<std::uint8_t> ShownReturns::seen() const {
   for (std::size_t row = 0; row < rows_.size(); ++row)
     for (const float part : seen_[row])
       parts[row].push_back(static_cast<std::uint8_t>(std::max(part > 0.0F ? 1L : 0L, std::lround(255.0F * part))));
-  return by_facet_as_differences(parts);
+  return first_row_and_differences(parts);
 }
 
 }  // namespace lrcs

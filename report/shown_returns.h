@@ -23,7 +23,7 @@ class ShownReturns {
   static constexpr double floor_db = -63.5, step_db = 0.25;
   [[nodiscard]] double brightest() const { return brightest_; }  // [m^2/m^2]
   // 0: not lit and seen; 1: floor_db or less; k: floor_db + (k - 1) step_db, to the nearest.
-  // shape: facets x rows, each facet's rows as differences modulo 256 (report/web/PAYLOAD.md).
+  // shape: facets, the first row; facets x (rows - 1), differences modulo 256 (report/web/PAYLOAD.md).
   [[nodiscard]] std::vector<std::uint8_t> levels() const;
   // Seen part of the area, 255: all of it; 0: nothing, else at least 1. shape: the same.
   [[nodiscard]] std::vector<std::uint8_t> seen() const;

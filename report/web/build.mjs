@@ -19,7 +19,7 @@ async function bundle(entry) {
     target: 'es2020',
     format: entry.endsWith('.js') ? 'iife' : undefined,
     legalComments: 'none',
-    charset: 'utf8',
+    charset: 'ascii',
     metafile: true,
     define: { 'process.env.NODE_ENV': '"production"' },
     logLevel: 'warning',

@@ -45,9 +45,11 @@ export class FacetCard {
 
   facetEntries(facet) {
     const material = this.data.materials[this.facets.material[facet]];
+    const back = this.data.materials[this.facets.back[facet]];
     const stored = nearestStored(this.data, this.aspect.row);
     return [
       ...entry('Material', material ? nameOf(material) : 'none'),
+      ...(back === material ? [] : entry('Material behind', nameOf(back))),
       ...(stored < 0 ? [] : this.returnEntries(facet, stored)),
       ...entry('Area of the facet', `${plain(Number(this.facets.area[facet].toPrecision(4)))} m²`),
     ];

@@ -9,7 +9,7 @@ export const colourings = {
 };
 
 const shaded = 255;
-const packed = ([red, green, blue], shade) => (red | (green << 8) | (blue << 16) | (shade << 24)) >>> 0;
+export const packed = ([red, green, blue], shade) => (red | (green << 8) | (blue << 16) | (shade << 24)) >>> 0;
 
 export function levelDb(shown, level) {
   return level <= 1 ? shown.floor_db : shown.floor_db + (level - 1) * shown.step_db;
@@ -31,12 +31,12 @@ function seenTable() {
 
 export const materialColour = (material) => materialPalette[material % materialPalette.length];
 
-// One colour a facet. stored: index into stored_rows, or -1.
-export function facetColours(data, facets, ranking, { colouring, stored, floorDb }, out) {
+// One colour a facet. stored: index into stored_rows, or -1. material: of the side that is coloured, one a facet.
+export function facetColours(data, facets, ranking, { colouring, stored, floorDb }, material, out) {
   if (colouring === 'part' || colouring === 'material') {
     const names = colouring === 'part' ? ranking.colours : data.materials.map((_, k) => materialColour(k));
     const table = names.map((name) => packed(rgbOf(name), shaded));
-    const group = colouring === 'part' ? facets.part : facets.material;
+    const group = colouring === 'part' ? facets.part : material;
     for (let f = 0; f < out.length; ++f) out[f] = table[group[f]];
     return;
   }

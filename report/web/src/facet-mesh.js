@@ -15,22 +15,26 @@ import { highlight } from './colour.js';
 
 const vertexShader = `
 in vec4 colour;
+in vec4 backColour;
 in float part;
 uniform float selected;
 uniform bool onlySelected;
 out vec4 vColour;
+out vec4 vBackColour;
 out vec3 vView;
 out float vSelected;
 void main() {
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   vSelected = abs(part - selected) < 0.5 ? 1.0 : 0.0;
   vColour = colour;
+  vBackColour = backColour;
   vView = view.xyz;
   gl_Position = onlySelected && vSelected < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
 }`;
 
 const facetShader = `
 in vec4 vColour;
+in vec4 vBackColour;
 in vec3 vView;
 in float vSelected;
 uniform vec3 mark;
@@ -38,7 +42,8 @@ uniform float pixel;
 out vec4 colourOut;
 void main() {
   vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-  vec3 rgb = vColour.rgb * mix(1.0, 0.8 + 0.2 * abs(normal.z), vColour.a);
+  vec4 colour = gl_FrontFacing ? vColour : vBackColour;
+  vec3 rgb = colour.rgb * mix(1.0, 0.8 + 0.2 * abs(normal.z), colour.a);
   float along = mod(gl_FragCoord.x + gl_FragCoord.y, 8.0 * pixel);
   if (vSelected > 0.5 && along < 2.0 * pixel) rgb = mark;
   colourOut = vec4(rgb, 1.0);
@@ -58,8 +63,7 @@ void main() {
 }`;
 
 export class FacetMesh {
-  // Without facets as yet, so that the shaders can be compiled while the facets are read.
-  constructor() {
+  constructor(facets) {
     this.geometry = new BufferGeometry();
     this.uniforms = { selected: { value: -1 }, mark: { value: new Color(highlight) }, pixel: { value: 1 } };
     const material = (fragmentShader, onlySelected, more) =>
@@ -90,6 +94,7 @@ export class FacetMesh {
       }),
     );
     this.through.visible = false;
+    this.setFacets(facets);
   }
 
   setFacets(facets) {
@@ -103,18 +108,25 @@ export class FacetMesh {
       position[3 * c + 2] = facets.positions[vertex + 2];
     }
     for (let f = 0; f < facets.count; ++f) part.fill(facets.part[f], 3 * f, 3 * f + 3);
-    this.packed = new Uint32Array(corners);
-    this.colour = new BufferAttribute(new Uint8Array(this.packed.buffer), 4, true);
+    this.colour = new BufferAttribute(new Uint8Array(4 * corners), 4, true);
+    this.backColour = new BufferAttribute(new Uint8Array(4 * corners), 4, true);
     this.geometry.setAttribute('position', new BufferAttribute(position, 3));
     this.geometry.setAttribute('part', new BufferAttribute(part, 1));
     this.geometry.setAttribute('colour', this.colour);
+    this.geometry.setAttribute('backColour', this.backColour);
     this.geometry.computeBoundingBox();
     this.geometry.computeBoundingSphere();
   }
 
-  paint(colours) {
-    for (let f = 0; f < colours.length; ++f) this.packed.fill(colours[f], 3 * f, 3 * f + 3);
-    this.colour.needsUpdate = true;
+  paint({ front, back }) {
+    for (const [colours, attribute] of [
+      [front, this.colour],
+      [back, this.backColour],
+    ]) {
+      const packed = new Uint32Array(attribute.array.buffer);
+      for (let f = 0; f < colours.length; ++f) packed[3 * f] = packed[3 * f + 1] = packed[3 * f + 2] = colours[f];
+      attribute.needsUpdate = true;
+    }
   }
 
   select(part) {

@@ -1,5 +1,6 @@
 // The report. For tests and scripts, window.lrcs has:
-//   ready          promise, kept after the first picture of the target: {firstPictureMs} since navigation began
+//   firstPicture   promise, kept when the target's first picture is drawn: milliseconds since navigation began
+//   ready          promise, kept when all is drawn: {firstPictureMs}
 //   row(), setRow(k)   the present row of the sweep
 //   pick(x, y)     marks the facet at a place of the target's view (CSS pixels from its top left); returns
 //                  {facet, part, name, sigma_m2} or null
@@ -22,7 +23,7 @@ import { Selection } from './selection.js';
 import { SweepPlot } from './sweep-plot.js';
 import { TargetPanel } from './target-panel.js';
 
-function main() {
+async function main() {
   const data = readPayload();
   document.title = data.title;
   byId('title').textContent = data.title;
@@ -43,7 +44,41 @@ function main() {
     ends: [byId('first-angle'), byId('last-angle')],
   };
   new AspectBar(bar, data, aspect);
-  const plots = drawPlots(data, aspect, ranking, decibels);
+  const panel = drawTarget(data, aspect, ranking, selection);
+  const plots = {};
+  const firstPicture = shown().then(() => performance.now());
+  const ready = firstPicture.then(async (firstPictureMs) => {
+    drawPlots(plots, data, aspect, ranking, decibels);
+    drawRest(data, aspect, ranking, selection, panel);
+    await shown();
+    await panel.finish();
+    return { firstPictureMs };
+  });
+  window.lrcs = {
+    firstPicture,
+    ready,
+    row: () => aspect.row,
+    setRow: (row) => aspect.setRow(row),
+    pick: (x, y) => panel.pick(x, y),
+    get state() {
+      return {
+        row: aspect.row,
+        cut: aspect.cutIndex,
+        part: selection.part,
+        facet: selection.facet,
+        ...panel.state,
+        markers: Object.fromEntries(Object.entries(plots).map(([name, plot]) => [name, plot.markerAt])),
+      };
+    },
+  };
+  await ready;
+}
+
+// Kept when the browser has taken over all that was drawn until now.
+const shown = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+
+function drawRest(data, aspect, ranking, selection, panel) {
+  new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);
   new PartTable(byId('parts'), byId('all-parts'), data, aspect, selection, ranking);
   drawMaterials(byId('materials'), data);
   drawTargetFacts(byId('target-facts'), data);
@@ -51,42 +86,9 @@ function main() {
   byId('save-sweep').addEventListener('click', () => saveText('sweep.csv', data.csv));
   byId('save-parts').addEventListener('click', () => saveText('parts.csv', partsCsv(data)));
   window.addEventListener('keydown', (event) => event.key === 'Escape' && selection.clear());
-
-  // What is above is on the screen before the facets, which take longest, are read.
-  let panel = null;
-  const ready = new Promise((resolve) => {
-    requestAnimationFrame(() =>
-      setTimeout(() => {
-        panel = drawTarget(data, aspect, ranking, selection);
-        requestAnimationFrame(() =>
-          setTimeout(() => {
-            resolve({ firstPictureMs: performance.now() });
-            setTimeout(() => panel.addCreases(), 0);
-          }),
-        );
-      }),
-    );
-  });
-  window.lrcs = {
-    ready,
-    row: () => aspect.row,
-    setRow: (row) => aspect.setRow(row),
-    pick: (x, y) => panel?.pick(x, y) ?? null,
-    get state() {
-      return {
-        row: aspect.row,
-        cut: aspect.cutIndex,
-        part: selection.part,
-        facet: selection.facet,
-        ...panel?.state,
-        markers: Object.fromEntries(Object.entries(plots).map(([name, plot]) => [name, plot.markerAt])),
-      };
-    },
-  };
 }
 
-function drawPlots(data, aspect, ranking, decibels) {
-  const plots = {};
+function drawPlots(plots, data, aspect, ranking, decibels) {
   plots.sweep = new SweepPlot(
     byId('sweep-plot'),
     byId('sweep-heading'),
@@ -104,13 +106,13 @@ function drawPlots(data, aspect, ranking, decibels) {
   byId('heat-panel').hidden = table === null;
   if (table)
     plots.heat = new HeatMap(byId('heat-map'), byId('heat-bar'), byId('heat-note'), data, table, aspect, decibels);
-  return plots;
 }
 
 function drawTarget(data, aspect, ranking, selection) {
   const panel = new TargetPanel(data, aspect, ranking, selection, {
     frame: byId('view'),
     canvas: byId('target'),
+    soft: byId('soft'),
     overlay: byId('overlay'),
     message: byId('no-view'),
     colouring: byId('colouring'),
@@ -122,14 +124,11 @@ function drawTarget(data, aspect, ranking, selection) {
     controls: byId('view-controls'),
   });
   panel.start(() => readFacets(data.shown));
-  new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);
   return panel;
 }
 
-try {
-  main();
-} catch (error) {
+main().catch((error) => {
   const message = byId('warnings');
   message.hidden = false;
   message.textContent = `The report cannot be shown: ${error.message}`;
-}
+});

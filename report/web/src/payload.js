@@ -1,5 +1,5 @@
 // Reads what lrcs put into the page: the JSON, and the binary of the facets (PAYLOAD.md).
-import { unzlibSync } from 'fflate';
+import { Unzlib } from 'fflate';
 
 export function readPayload() {
   const text = document.getElementById('lrcs-data')?.textContent;
@@ -17,49 +17,74 @@ export function readPayload() {
 }
 
 export function readFacets(shown) {
-  const text = document.getElementById('lrcs-facets')?.textContent ?? '';
   const stored = shown.stored_rows.length;
-  const bytes = 12 * shown.vertices + shown.facets * (12 + 2 + 2 + 4 + 2 * stored);
-  const binary = unzlibSync(bytesOfBase64(text.trim()), { out: new Uint8Array(bytes) });
-  if (binary.length !== bytes)
-    throw new Error(`The facets take ${binary.length} bytes, not ${bytes}: the file is damaged.`);
-  let offset = 0;
-  const take = (Kind, count) => {
-    const part = new Kind(binary.buffer, binary.byteOffset + offset, count);
-    offset += part.byteLength;
-    return part;
-  };
+  const stream = new Inflated(
+    document.getElementById('lrcs-facets')?.textContent.trim() ?? '',
+    12 * shown.vertices + shown.facets * (12 + 2 + 2 + 2 + 4 + 2 * stored),
+  );
   const facets = {
     count: shown.facets,
-    positions: take(Float32Array, 3 * shown.vertices),
-    triangles: take(Uint32Array, 3 * shown.facets),
-    part: take(Uint16Array, shown.facets),
-    material: take(Uint16Array, shown.facets),
-    area: take(Float32Array, shown.facets),
+    positions: stream.take(Float32Array, 3 * shown.vertices),
+    triangles: stream.take(Uint32Array, 3 * shown.facets),
+    part: stream.take(Uint16Array, shown.facets),
+    material: stream.take(Uint16Array, shown.facets),
+    back: stream.take(Uint16Array, shown.facets),
+    area: stream.take(Float32Array, shown.facets),
   };
-  const levels = take(Uint8Array, stored * shown.facets);
-  const seen = take(Uint8Array, stored * shown.facets);
-  return { ...facets, level: rowReader(levels, shown), seen: rowReader(seen, shown) };
+  stream.inflate(stream.taken);
+  facets.level = rowReader(stream, shown);
+  facets.seen = rowReader(stream, shown);
+  facets.readAll = () => stream.inflate(stream.bytes.length);
+  return facets;
 }
 
-// Decoded when first asked for.
-function rowReader(bytes, shown) {
-  let rows = null;
-  return (k) => {
-    rows ??= rowsOf(bytes, shown);
-    return rows.subarray(k * shown.facets, (k + 1) * shown.facets);
-  };
-}
-
-// Differences from row to row, facet by facet, take less than half the space; rows are what is painted.
-function rowsOf(bytes, { coding, facets, stored_rows: { length: stored } }) {
-  if (coding !== 'differences') return bytes;
-  const rows = new Uint8Array(bytes.length);
-  for (let k = 0; k < stored; ++k) {
-    const [here, before] = [k * facets, (k - 1) * facets];
-    for (let f = 0; f < facets; ++f) rows[here + f] = bytes[f * stored + k] + (k > 0 ? rows[before + f] : 0);
+// A base64 text of a zlib stream, inflated as far as is asked for.
+class Inflated {
+  constructor(text, length) {
+    this.text = text;
+    this.bytes = new Uint8Array(length);
+    this.read = 0;
+    this.filled = 0;
+    this.taken = 0;
+    this.stream = new Unzlib((chunk) => {
+      this.bytes.set(chunk, this.filled);
+      this.filled += chunk.length;
+    });
   }
-  return rows;
+
+  // The next so many values: what is inflated later fills them later.
+  take(Kind, count) {
+    const part = new Kind(this.bytes.buffer, this.taken, count);
+    this.taken += part.byteLength;
+    return part;
+  }
+
+  inflate(upTo) {
+    const piece = 1 << 16; // a multiple of 4 characters
+    while (this.filled < upTo && this.read < this.text.length) {
+      const packed = bytesOfBase64(this.text.slice(this.read, this.read + piece));
+      this.read += piece;
+      this.stream.push(packed, this.read >= this.text.length);
+    }
+    if (this.filled < upTo) throw new Error(`They take ${this.filled} bytes, not ${upTo}: the file is damaged.`);
+  }
+}
+
+// Rows are what is painted. Differences from row to row, facet by facet, take less than half the space in the file.
+function rowReader(stream, { coding, facets, stored_rows: { length: stored } }) {
+  const begin = stream.taken;
+  const values = stream.take(Uint8Array, stored * facets);
+  const differences = values.subarray(facets);
+  return (k) => {
+    stream.inflate(begin + (k === 0 ? facets : values.length));
+    if (k === 0 || coding !== 'differences') return values.subarray(k * facets, (k + 1) * facets);
+    const row = values.slice(0, facets);
+    for (let f = 0; f < facets; ++f) {
+      const first = f * (stored - 1);
+      for (let at = first; at < first + k; ++at) row[f] += differences[at];
+    }
+    return row;
+  };
 }
 
 function bytesOfBase64(text) {

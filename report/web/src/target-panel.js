@@ -4,7 +4,7 @@ import { drawColourKey } from './colour-bar.js';
 import { el } from './dom.js';
 import { facetColours } from './facet-colours.js';
 import { countText } from './sigma.js';
-import { TargetView, makeContext } from './target-view.js';
+import { TargetView } from './target-view.js';
 
 // A press that moves farther, or lasts longer, turns the target.
 const clickPx = 5;
@@ -20,7 +20,7 @@ export class TargetPanel {
     return {
       colouring: this.parts.colouring.value,
       floorDb: this.floorDb,
-      webgl: Boolean(this.view),
+      webgl: Boolean(this.view?.renderer),
       colouredRow: this.stored < 0 ? -1 : this.data.shown.stored_rows[this.stored],
     };
   }
@@ -30,23 +30,13 @@ export class TargetPanel {
   }
 
   start(readFacets) {
-    const context = makeContext(this.parts.canvas);
-    if (!context)
-      return this.refuse(
-        'This browser shows no WebGL 2, so the target cannot be drawn. All numbers and plots are here.',
-      );
-    const view = new TargetView(this.parts.canvas, this.parts.overlay, context);
     try {
       this.facets = readFacets();
     } catch (error) {
       return this.refuse(`The facets cannot be read: ${error.message}`);
     }
-    if (!view.shadersWork)
-      return this.refuse('The WebGL of this browser cannot draw the target. All numbers and plots are here.');
     this.selection.partOfFacet = this.facets.part;
-    this.colours = new Uint32Array(this.facets.count);
-    this.view = view;
-    view.setFacets(this.facets);
+    this.view = new TargetView(this.parts.canvas, this.parts.soft, this.parts.overlay, this.facets);
     this.limitFloor();
     this.addButtons();
     this.followPointer();
@@ -62,13 +52,18 @@ export class TargetPanel {
   refuse(message) {
     this.parts.message.textContent = message;
     this.parts.message.hidden = false;
-    for (const part of ['canvas', 'overlay']) this.parts[part].style.display = 'none';
+    for (const part of ['canvas', 'soft', 'overlay']) this.parts[part].style.display = 'none';
     this.parts.controls.hidden = true;
     this.parts.frame.classList.add('without-view');
   }
 
-  addCreases() {
-    this.view?.addCreases();
+  // The first picture waits for neither WebGL nor creases.
+  async finish() {
+    if (!this.view) return;
+    this.facets.readAll();
+    this.withoutWebGl = !(await this.view.useWebGl());
+    if (this.withoutWebGl) this.say();
+    else this.view.addCreases();
   }
 
   // What is below the floor of the stored levels cannot be told apart.
@@ -146,8 +141,12 @@ export class TargetPanel {
 
   paint() {
     const choice = { colouring: this.parts.colouring.value, stored: this.stored, floorDb: this.floorDb };
-    facetColours(this.data, this.facets, this.ranking, choice, this.colours);
-    this.view.paint(this.colours);
+    const { front, back } = this.view.colours;
+    facetColours(this.data, this.facets, this.ranking, choice, this.facets.material, front);
+    if (choice.colouring === 'material')
+      facetColours(this.data, this.facets, this.ranking, choice, this.facets.back, back);
+    else back.set(front);
+    this.view.paint();
     this.parts.floorLabel.hidden = choice.colouring !== 'contribution';
     drawColourKey(this.parts.key, this.data, this.ranking, choice);
     this.say();
@@ -165,6 +164,7 @@ export class TargetPanel {
         `Drawn with ${countText(data.shown.facets)} facets, each for a group of the target's ${countText(data.target.facets)}.`,
       );
     }
+    if (this.withoutWebGl) said.push('This browser has no WebGL 2: the target is drawn without it, and more plainly.');
     this.parts.note.textContent = said.join(' ');
     this.parts.canvas.setAttribute(
       'aria-label',

@@ -1,5 +1,6 @@
 // The target in 3-D, seen in parallel projection as a far sensor sees it.
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   ColorManagement,
@@ -18,6 +19,7 @@ import { direction } from './aspect.js';
 import { creaseLines } from './creases.js';
 import { onResize } from './dom.js';
 import { FacetMesh } from './facet-mesh.js';
+import { SoftPicture } from './soft-picture.js';
 import { drawOverlay } from './view-overlay.js';
 
 // Colours are painted as given: they must match the colour bar.
@@ -28,38 +30,21 @@ const filled = 0.74;
 const startAzimuth = 35;
 const startElevation = 25;
 
-export function makeContext(canvas) {
-  const wanted = { antialias: true, preserveDrawingBuffer: true, powerPreference: 'default' };
-  return canvas.getContext('webgl2', wanted);
-}
-
 export class TargetView {
-  constructor(canvas, overlay, context) {
+  // canvas: for WebGL, and for pointer and keys; below it soft, which shows until WebGL draws.
+  constructor(canvas, soft, overlay, facets) {
     this.canvas = canvas;
     this.overlay = overlay;
     this.sensors = [];
-    this.renderer = new WebGLRenderer({ canvas, context });
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    this.renderer.debug.checkShaderErrors = false;
-    this.renderer.setClearColor(0xffffff, 1);
     this.scene = new Scene();
-    this.mesh = new FacetMesh();
+    this.soft = new SoftPicture(soft, facets);
     this.camera = new OrthographicCamera();
     this.camera.up.set(0, 0, 1);
-    this.renderer.compile(this.mesh.facets, this.camera, this.scene);
-  }
-
-  // Asked for once the facets are read: until then the browser compiles beside that.
-  get shadersWork() {
-    const gl = this.renderer.getContext();
-    return this.renderer.info.programs.every(({ program }) => gl.getProgramParameter(program, gl.LINK_STATUS));
-  }
-
-  setFacets(facets) {
     this.facets = facets;
-    this.mesh.setFacets(facets);
-    this.scene.add(this.mesh.facets, this.mesh.through);
-    this.box = this.mesh.geometry.boundingBox;
+    this.colours = { front: new Uint32Array(facets.count), back: new Uint32Array(facets.count) };
+    this.selected = -1;
+    this.waiting = true; // for the first draw()
+    this.box = new Box3().setFromArray(facets.positions);
     this.centre = this.box.getCenter(new Vector3());
     this.radius = 0.5 * this.box.getSize(new Vector3()).length() || 1;
     this.camera.near = 0;
@@ -78,7 +63,35 @@ export class TargetView {
     this.canvas.addEventListener('keydown', (event) => this.onKey(event));
   }
 
-  // After the first picture, which need not wait for them.
+  // For WebGL and for picking; the first picture needs it not.
+  makeMesh() {
+    if (this.mesh) return;
+    this.mesh = new FacetMesh(this.facets);
+    this.mesh.paint(this.colours);
+    this.mesh.select(this.selected);
+    this.scene.add(this.mesh.facets, this.mesh.through);
+  }
+
+  // From now on WebGL draws, where it can; says whether.
+  async useWebGl() {
+    const context = this.canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
+    if (!context) return false;
+    this.makeMesh();
+    const renderer = new WebGLRenderer({ canvas: this.canvas, context });
+    renderer.outputColorSpace = LinearSRGBColorSpace;
+    renderer.debug.checkShaderErrors = false;
+    renderer.setClearColor(0xffffff, 1);
+    renderer.compile(this.mesh.facets, this.camera, this.scene);
+    await new Promise((resolve) => setTimeout(resolve));
+    const links = ({ program }) => context.getProgramParameter(program, context.LINK_STATUS);
+    if (!renderer.info.programs.every(links)) return false;
+    this.renderer = renderer;
+    this.setSize();
+    this.draw();
+    this.soft.canvas.style.display = 'none';
+    return true;
+  }
+
   addCreases() {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(creaseLines(this.facets), 3));
@@ -88,13 +101,15 @@ export class TargetView {
     this.redrawSoon();
   }
 
-  paint(colours) {
-    this.mesh.paint(colours);
+  // The colours are in this.colours.
+  paint() {
+    this.mesh?.paint(this.colours);
     this.redrawSoon();
   }
 
   select(part) {
-    this.mesh.select(part);
+    this.selected = part;
+    this.mesh?.select(part);
     this.redrawSoon();
   }
 
@@ -178,9 +193,12 @@ export class TargetView {
     this.width = width;
     this.height = height;
     const ratio = Math.min(window.devicePixelRatio, 2);
-    this.mesh.uniforms.pixel.value = ratio;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.ratio = ratio;
+    if (this.renderer) {
+      this.mesh.uniforms.pixel.value = ratio;
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(width, height, false);
+    } else this.soft.setSize(Math.floor(ratio * width), Math.floor(ratio * height));
     const half = margin * this.radius;
     const across = half * Math.max(width / height, 1);
     const up = half * Math.max(height / width, 1);
@@ -197,7 +215,8 @@ export class TargetView {
     this.waiting = false;
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    this.renderer.render(this.scene, this.camera);
+    if (this.renderer) this.renderer.render(this.scene, this.camera);
+    else this.soft.draw(this.camera, this.colours, this.selected, this.ratio);
     drawOverlay(this);
   }
 
@@ -209,6 +228,7 @@ export class TargetView {
 
   // The facet at a place (CSS pixels from the top left of the view); -1 where there is none.
   facetAt(x, y) {
+    this.makeMesh();
     const ray = new Raycaster();
     this.camera.updateMatrixWorld();
     ray.setFromCamera(new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.camera);

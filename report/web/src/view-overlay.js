@@ -5,9 +5,10 @@ import { rootFontPx, svg } from './dom.js';
 
 export function drawOverlay(view) {
   const unit = rootFontPx();
+  const taken = [];
   view.overlay.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
   view.overlay.replaceChildren(
-    ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, k, unit)),
+    ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, k, unit, taken)),
     axesTriad(view, unit),
   );
 }
@@ -16,12 +17,16 @@ function inView(view, vector) {
   return new Vector3(...vector).transformDirection(view.camera.matrixWorldInverse);
 }
 
-function sensorArrow(view, { direction, label }, k, unit) {
+// taken: boxes of the names so far, to which this one's is added.
+function sensorArrow(view, { direction, label }, k, unit, taken) {
   const reach = view.reach(new Vector3(...direction));
   const at = (distance) => view.project(new Vector3(...direction).multiplyScalar(distance).add(view.centre));
   const toward = inView(view, direction);
   // Along the line of sight an arrow is a point: the usual signs for out of and into the page, in the corner.
-  if (Math.hypot(toward.x, toward.y) < 0.1) return endOnArrow(k, toward.z > 0, label, unit);
+  if (Math.hypot(toward.x, toward.y) < 0.1) {
+    taken.push({ left: 0, right: view.width, top: 0, bottom: (2 + 1.5 * k) * unit });
+    return endOnArrow(k, toward.z > 0, label, unit);
+  }
   const [from, to] = [at(reach + 0.02 * view.radius), at(reach + 0.27 * view.radius)];
   const group = svg('g', {});
   const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
@@ -30,16 +35,29 @@ function sensorArrow(view, { direction, label }, k, unit) {
     group.append(svg('path', { d: shaft(from, to), ...stroke, 'stroke-dasharray': casing ? null : dashes }));
     group.append(svg('path', { d: head(from, to, 0.7 * unit), ...stroke, 'stroke-linejoin': 'round' }));
   }
-  const along = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
-  const [right, down] = [(to[0] - from[0]) / along, (to[1] - from[1]) / along];
-  const anchor = right > 0.5 ? 'start' : right < -0.5 ? 'end' : 'middle';
-  const wide = 0.55 * unit * label.length;
-  const low = { start: 4, middle: 4 + wide / 2, end: 4 + wide }[anchor];
-  const x = Math.min(Math.max(to[0] + 0.5 * unit * right, low), view.width - 4 - wide + (low - 4));
-  const y = Math.min(Math.max(to[1] + 0.35 * unit + unit * down, unit), view.height - 0.4 * unit);
-  group.append(text(x, y, label, ink, anchor));
+  const [x, y] = placeOfName(view, from, to, 0.55 * unit * label.length, unit, taken);
+  group.append(text(x, y, label, ink, 'start'));
   return group;
 }
+
+// Left end and base line of a name of an arrow: beyond its head, in the frame, and as far up or down from there as
+// keeps it off the names so far.
+function placeOfName(view, from, to, wide, unit, taken) {
+  const along = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+  const [right, down] = [(to[0] - from[0]) / along, (to[1] - from[1]) / along];
+  const before = right > 0.5 ? 0 : right < -0.5 ? wide : wide / 2;
+  const [highest, lowest] = [unit, view.height - 0.4 * unit];
+  const left = Math.max(Math.min(to[0] + 0.5 * unit * right - before, view.width - 4 - wide), 4);
+  const best = Math.min(Math.max(to[1] + 0.35 * unit + unit * down, highest), lowest);
+  const boxAt = (y) => ({ left, right: left + wide, top: y - 0.8 * unit, bottom: y + 0.3 * unit });
+  const isFree = (y) => y >= highest && y <= lowest && !taken.some((box) => overlap(box, boxAt(y)));
+  const heights = [0, 1, -1, 2, -2, 3, -3, 4, -4].map((lines) => best + 0.6 * lines * unit);
+  const y = heights.find(isFree) ?? best;
+  taken.push(boxAt(y));
+  return [left, y];
+}
+
+const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 function endOnArrow(k, towardViewer, label, unit) {
   const radius = 0.5 * unit;

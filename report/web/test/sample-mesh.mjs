@@ -27,6 +27,28 @@ export function addBox(mesh, centre, size, part, material) {
     );
 }
 
+// Faces +x.
+export function addSheet(mesh, [x, y, z], [wide, high], part, material) {
+  const first = mesh.positions.length / 3;
+  for (const [right, up] of [
+    [-0.5, -0.5],
+    [0.5, -0.5],
+    [0.5, 0.5],
+    [-0.5, 0.5],
+  ])
+    mesh.positions.push(x, y + right * wide, z + up * high);
+  addFacets(
+    mesh,
+    [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+    first,
+    part,
+    material,
+  );
+}
+
 export function addSphere(mesh, centre, radius, rings, part, material, bulge = () => 1) {
   const first = mesh.positions.length / 3;
   const around = 2 * rings;

@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
-import { addBox, addSphere, emptyMesh, facetAreas } from './sample-mesh.mjs';
+import { addBox, addSheet, addSphere, emptyMesh, facetAreas } from './sample-mesh.mjs';
 
 const rad = Math.PI / 180;
 const direction = (azimuth, elevation) => [
@@ -181,6 +181,7 @@ export function payload({ mesh, parts }, rows, cuts, more = {}) {
       new Uint32Array(mesh.triangles),
       new Uint16Array(mesh.part),
       new Uint16Array(mesh.material),
+      new Uint16Array(more.back ?? mesh.material),
       new Float32Array(areas),
       ...coded(
         perArea.map((row) => Uint8Array.from(row, level)),
@@ -198,8 +199,9 @@ export function payload({ mesh, parts }, rows, cuts, more = {}) {
 function coded(rows, coding) {
   if (coding !== 'differences') return rows;
   const bytes = new Uint8Array(rows.length * rows[0].length);
-  for (let f = 0, k = 0; f < rows[0].length; ++f)
-    rows.forEach((row, i) => (bytes[k++] = row[f] - (i > 0 ? rows[i - 1][f] : 0)));
+  bytes.set(rows[0]);
+  for (let f = 0, k = rows[0].length; f < rows[0].length; ++f)
+    rows.slice(1).forEach((row, i) => (bytes[k++] = row[f] - rows[i][f]));
   return [bytes];
 }
 
@@ -344,6 +346,13 @@ export const samples = {
         warnings: ['The accuracy asked for is coarse: sigma may be off by 10 %.'],
       },
     ),
+  near: () => payload(satellite(8), [[-30, 10, -22, 12]], oneCut([-30]), { receiver: 'bistatic angle 8\u00b0 in azimuth' }),
+  sheet: () => {
+    const body = emptyMesh();
+    for (const y of [-0.6, 0.6]) addSheet(body, [0, y, 0], [1, 1], 0, y < 0 ? 0 : 1);
+    const back = body.material.map((material) => 1 - material);
+    return payload({ mesh: body, parts: ['sheet'] }, around([0, 90]), oneCut([0, 90]), { back });
+  },
   elevation: () =>
     payload(
       satellite(10),
