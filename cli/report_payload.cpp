@@ -244,10 +244,10 @@ std::vector<std::uint8_t> report_facets(const PastRun& run, const ShownTarget& s
   std::vector<std::uint8_t> bytes;
   for (const auto& p : shown.positions) append(bytes, p);
   for (const auto& t : shown.triangles) append(bytes, t);
+  for (const double area : shown.area) append(bytes, static_cast<float>(area));
   for (const std::uint32_t part : shown.part) append(bytes, static_cast<std::uint16_t>(part));
   for (const auto& side : {front, back})
     for (const std::uint32_t material : side) append(bytes, static_cast<std::uint16_t>(material));
-  for (const double area : shown.area) append(bytes, static_cast<float>(area));
   for (const auto& values : {returns.levels(), returns.seen()}) bytes.insert(bytes.end(), values.begin(), values.end());
   return bytes;
 }

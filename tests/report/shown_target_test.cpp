@@ -93,7 +93,8 @@ TEST(ShownReturns, AreTheNearestQuarterDecibel) {
   const auto levels = returns.levels(), parts = returns.seen();
   ASSERT_EQ(levels.size(), 2 * mesh.size());
   const auto at = [](const std::vector<std::uint8_t>& values, std::size_t facet) {
-    return std::pair<int, int>(values[2 * facet], static_cast<std::uint8_t>(values[2 * facet] + values[2 * facet + 1]));
+    return std::pair<int, int>(values[facet],
+                               static_cast<std::uint8_t>(values[facet] + values[values.size() / 2 + facet]));
   };
   EXPECT_EQ(at(levels, 0), std::pair(255 - 12, 255 - 12));  // -3.01 dB: 12.04 steps down
   EXPECT_EQ(at(levels, 1), std::pair(255 - 53, 1));         // -13.31 dB: 53.2 steps down; seen, but nothing comes back

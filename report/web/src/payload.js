@@ -26,10 +26,10 @@ export function readFacets(shown) {
     count: shown.facets,
     positions: stream.take(Float32Array, 3 * shown.vertices),
     triangles: stream.take(Uint32Array, 3 * shown.facets),
+    area: stream.take(Float32Array, shown.facets),
     part: stream.take(Uint16Array, shown.facets),
     material: stream.take(Uint16Array, shown.facets),
     back: stream.take(Uint16Array, shown.facets),
-    area: stream.take(Float32Array, shown.facets),
   };
   stream.inflate(stream.taken);
   facets.level = rowReader(stream, shown);

@@ -179,10 +179,10 @@ export function payload({ mesh, parts }, rows, cuts, more = {}) {
     [
       new Float32Array(mesh.positions),
       new Uint32Array(mesh.triangles),
+      new Float32Array(areas),
       new Uint16Array(mesh.part),
       new Uint16Array(mesh.material),
       new Uint16Array(more.back ?? mesh.material),
-      new Float32Array(areas),
       ...coded(
         perArea.map((row) => Uint8Array.from(row, level)),
         more.coding,
@@ -350,6 +350,8 @@ export const samples = {
   sheet: () => {
     const body = emptyMesh();
     for (const y of [-0.6, 0.6]) addSheet(body, [0, y, 0], [1, 1], 0, y < 0 ? 0 : 1);
+    for (const list of [body.part, body.material]) list.pop();
+    body.triangles.length -= 3; // an odd number of facets
     const back = body.material.map((material) => 1 - material);
     return payload({ mesh: body, parts: ['sheet'] }, around([0, 90]), oneCut([0, 90]), { back });
   },
