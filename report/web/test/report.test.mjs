@@ -1,66 +1,12 @@
 // Drives pages made of samples in Debian's chromium: node --test test/report.test.mjs
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { launch } from './browser.mjs';
 import { fill, samples } from './sample.mjs';
-
-const project = fileURLToPath(new URL('..', import.meta.url));
-const desktop = { width: 1440, height: 900 };
-
-let folder;
-let template;
-let browser;
-const made = new Map();
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'lrcs-report-'));
-  execFileSync(process.execPath, [join(project, 'build.mjs'), join(folder, 'template.html')]);
-  template = readFileSync(join(folder, 'template.html'), 'utf8');
-  browser = await launch();
-});
-
-after(async () => {
-  await browser?.close();
-  if (folder) rmSync(folder, { recursive: true });
-});
-
-function report(name) {
-  if (!made.has(name)) {
-    const sample = samples[name]();
-    const path = join(folder, `${name}.html`);
-    writeFileSync(path, fill(template, sample));
-    made.set(name, { data: sample.data, path, url: pathToFileURL(path).href });
-  }
-  return made.get(name);
-}
-
-// Opens a report, lets act use it, and sees to it that the page said nothing and asked for nothing.
-async function withReport(name, act, { viewport = desktop, from = browser, first, ...more } = {}) {
-  const { data, url, path } = report(name);
-  const context = await from.newContext({ viewport, ...more });
-  const page = await context.newPage();
-  if (first) await page.addInitScript(first);
-  const said = [];
-  page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
-  page.on('pageerror', (error) => said.push(error.stack));
-  page.on('dialog', (dialog) => said.push(`dialog ${dialog.message()}`) && dialog.dismiss());
-  page.on('request', (request) => {
-    if (request.url() !== url && !/^(data|blob):/.test(request.url())) said.push(`request ${request.url()}`);
-  });
-  try {
-    await page.goto(url);
-    const ready = await page.evaluate(() => window.lrcs.ready);
-    await act({ page, data, path, ready });
-    assert.deepEqual(said, []);
-  } finally {
-    await context.close();
-  }
-}
+import { browser, desktop, folder, placeOfPart, template, withReport } from './with-report.mjs';
 
 const stateOf = (page) => page.evaluate(() => window.lrcs.state);
 const pictureOf = async (page) => {
@@ -69,19 +15,6 @@ const pictureOf = async (page) => {
 };
 const numberIn = (text) => Number(text.replace('\u2212', '-'));
 const close = (a, b, relative = 1e-12) => assert.ok(Math.abs(a - b) <= relative * Math.abs(b), `${a} is not ${b}`);
-
-// A place of the view where a facet of the part is, by looking for it.
-async function placeOfPart(page, part) {
-  return page.evaluate((wanted) => {
-    const { clientWidth: width, clientHeight: height } = document.getElementById('target');
-    for (let y = 0.1; y < 0.95; y += 0.02) {
-      for (let x = 0.05; x < 0.98; x += 0.02) {
-        if (window.lrcs.pick(x * width, y * height)?.part === wanted) return [x * width, y * height];
-      }
-    }
-    return null;
-  }, part);
-}
 
 test('the template holds the marker once, the licences, and asks for nothing outside', () => {
   assert.equal(template.split('<!-- lrcs:data -->').length, 2);
@@ -344,75 +277,6 @@ test('colours are those of the colour bar', () =>
     );
     assert.ok(yellow > 20, `${yellow} pixels of the brightest colour`);
   }));
-
-// Keeps the pixels of the first picture as they are when the page says that it is drawn.
-const keepFirstPicture = () => {
-  let lrcs;
-  Object.defineProperty(window, 'lrcs', {
-    get: () => lrcs,
-    set(value) {
-      lrcs = value;
-      lrcs.firstPicture.then(() => {
-        const { width, height } = document.getElementById('soft');
-        const { data } = document.getElementById('soft').getContext('2d').getImageData(0, 0, width, height);
-        const names = [...document.querySelectorAll('#overlay .label')].map((label) => label.textContent);
-        window.first = { data, names, key: document.getElementById('colour-key').innerText };
-      });
-    },
-  });
-};
-
-// Of the pixels that are not white in both: how many there are, and how many are another colour in the picture by WebGL.
-const compareWithWebGl = () =>
-  new Promise((done) =>
-    requestAnimationFrame(() => {
-      const view = document.getElementById('target');
-      const copy = document.createElement('canvas');
-      [copy.width, copy.height] = [view.width, view.height];
-      copy.getContext('2d').drawImage(view, 0, 0);
-      const [a, b] = [copy.getContext('2d').getImageData(0, 0, copy.width, copy.height).data, window.first.data];
-      const result = { drawn: 0, other: 0, colours: new Set(new Uint32Array(b.buffer)).size };
-      for (let k = 0; k < a.length; k += 4) {
-        if (Math.min(a[k], a[k + 1], a[k + 2], b[k], b[k + 1], b[k + 2]) === 255) continue;
-        ++result.drawn;
-        if ([0, 1, 2].some((i) => Math.abs(a[k + i] - b[k + i]) > 40)) ++result.other;
-      }
-      done(result);
-    }),
-  );
-
-test('50,000 facets: size, and the first picture within 2 s in a browser just started', async () => {
-  const times = [];
-  // The fastest of three counts: other programs on the machine only make it slower.
-  for (let k = 0; k < 3; ++k) {
-    const cold = await launch();
-    try {
-      const act = async ({ page, data, path, ready }) => {
-        times.push(Math.round(ready.firstPictureMs));
-        const { names, key } = await page.evaluate(() => ({ ...window.first, data: null }));
-        assert.deepEqual(names.sort(), ['sensor', 'x forward', 'y', 'z']);
-        assert.match(key, /40\n[^]*0\nreturn per area \[dB re/);
-        // Edges differ, which WebGL smooths and draws over.
-        const { drawn, other, colours } = await page.evaluate(compareWithWebGl);
-        assert.ok(drawn > 20000 && colours > 50 && other < 0.15 * drawn, `${drawn} pixels, ${other} of another colour`);
-        if (k > 0) return;
-        const bytes = statSync(path).size;
-        console.log(`${data.shown.facets} facets, ${data.shown.stored_rows.length} rows: ${bytes} bytes`);
-        assert.ok(data.shown.facets >= 50000 && bytes <= 8 << 20);
-        assert.match(await page.locator('#view-note').innerText(), /each for a group of the target's 1,234,567/);
-        await page.evaluate(() => window.lrcs.setRow(77));
-        const place = await placeOfPart(page, 14);
-        const picked = await page.evaluate(([x, y]) => window.lrcs.pick(x, y), place);
-        assert.equal(picked.sigma_m2, data.part_sigma_m2[77][14]);
-      };
-      await withReport('large', act, { from: cold, first: keepFirstPicture });
-    } finally {
-      await cold.close();
-    }
-  }
-  console.log(`first picture after ${times.join(', ')} ms`);
-  assert.ok(Math.min(...times) < 2000, `first picture after ${times.join(', ')} ms`);
-});
 
 test('names of arrows that are close lie apart, and in the frame', () =>
   withReport(
