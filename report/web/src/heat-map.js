@@ -101,7 +101,7 @@ export class HeatMap {
       width: Math.max(1, Math.round(width * ratio)),
       height: Math.max(1, Math.round(height * ratio)),
     });
-    const pen = canvas.getContext('2d');
+    const pen = canvas.getContext('2d', { willReadFrequently: true });
     const { min, max } = this.decibels;
     const at = (values, size) =>
       values.map((v) => Math.round(((v - values[0]) / (values[values.length - 1] - values[0])) * size));

@@ -47,10 +47,12 @@ async function main() {
   const panel = drawTarget(data, aspect, ranking, selection);
   const plots = {};
   const firstPicture = shown().then(() => performance.now());
+  // In between, the browser shows what is there and takes what the reader does.
   const ready = firstPicture.then(async (firstPictureMs) => {
-    drawPlots(plots, data, aspect, ranking, decibels);
     drawRest(data, aspect, ranking, selection, panel);
-    await shown();
+    await soon();
+    drawPlots(plots, data, aspect, ranking, decibels);
+    await soon();
     await panel.finish();
     return { firstPictureMs };
   });
@@ -76,6 +78,8 @@ async function main() {
 
 // Kept when the browser has taken over all that was drawn until now.
 const shown = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+// That, or not much later: where frames take long, what is left to do need not wait for them.
+const soon = () => Promise.race([shown(), new Promise((resolve) => setTimeout(resolve, 100))]);
 
 function drawRest(data, aspect, ranking, selection, panel) {
   new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);
