@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 
+#include "view/canvas.h"
 #include "view/offscreen.h"
 #include "view/parallel_view.h"
 
@@ -32,8 +33,9 @@ namespace lrcs {
 namespace {
 
 constexpr double sharp = 30.0;  // where facets turn by more, a line is drawn [deg]
-// Of arrows: from the target, their own, to their names' middles; of the target's radius.
-constexpr double gap = 0.05, arrow_length = 0.24, name_gap = 0.09;
+// Of arrows: from the target, and their own; and room beyond them, for their names; of the target's radius.
+constexpr double gap = 0.05, arrow_length = 0.24, name_room = 0.09;
+constexpr double tip_radius = 0.11;  // of the arrow's length
 
 vtkSmartPointer<vtkPolyData> triangles_of(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -73,13 +75,15 @@ void set_lines(vtkActor* actor, vtkPolyData* triangles, const Colour& colour, do
 struct Arrow {
   vtkNew<vtkActor> body;
   vtkNew<vtkBillboardTextActor3D> name;
+  Vec3 tip = Vec3::Zero(), direction = Vec3::UnitX();
+  double length = 0.0;
 
   explicit Arrow(const Colour& colour) {
     vtkNew<vtkArrowSource> source;
     source->SetTipResolution(24);
     source->SetShaftResolution(24);
     source->SetShaftRadius(0.035);
-    source->SetTipRadius(0.11);
+    source->SetTipRadius(tip_radius);
     source->SetTipLength(0.32);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(source->GetOutputPort());
@@ -96,8 +100,12 @@ struct Arrow {
     name->GetTextProperty()->SetJustificationToCentered();
     name->GetTextProperty()->SetVerticalJustificationToCentered();
   }
-  void set(const Vec3& from, const Vec3& direction, double length, double name_beyond, const char* text) {
-    const Vec3 d = direction.normalized();
+  // name_beyond: from the tip to the name.
+  void set(const Vec3& from, const Vec3& toward, double its_length, double name_beyond, const char* text) {
+    const Vec3 d = toward.normalized();
+    direction = d;
+    length = its_length;
+    tip = from + length * d;
     const Vec3 across = (std::abs(d.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)).cross(d).normalized();
     const Vec3 third = d.cross(across);
     vtkNew<vtkMatrix4x4> place;
@@ -108,7 +116,7 @@ struct Arrow {
       place->SetElement(k, 3, from[k]);
     }
     body->SetUserMatrix(place);
-    const Vec3 at = from + (length + name_beyond) * d;
+    const Vec3 at = tip + name_beyond * d;
     name->SetPosition(at.x(), at.y(), at.z());
     name->SetInput(text);
   }
@@ -155,7 +163,10 @@ struct TargetScene::Hidden {
     renderer->GetActiveCamera()->ParallelProjectionOn();
     set_axes();
     follow->SetClientData(this);
-    follow->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<Hidden*>(self)->turn_axes(); });
+    follow->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Hidden*>(self)->turn_axes();
+      static_cast<Hidden*>(self)->place_names();
+    });
     renderer->AddObserver(vtkCommand::StartEvent, follow);
   }
 
@@ -182,6 +193,37 @@ struct TargetScene::Hidden {
     camera->SetViewUp(up.data());
     camera->SetParallelScale(1.6);
     camera->SetClippingRange(5.0, 15.0);
+  }
+
+  // Names stand over the tips of arrows that point up on the screen and under those of others, off their shafts; where
+  // two would meet, over the upper tip and under the lower.
+  void place_names() {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const Vec3 above(camera->GetViewUp());
+    const Vec3 right = Vec3(camera->GetDirectionOfProjection()).cross(above);
+    const double pixels_a_metre = 0.5 * renderer->GetSize()[1] / camera->GetParallelScale();
+    struct Name {
+      Arrow* arrow;
+      double x, y, up, clear, half_width, half_height;  // [pixel]; up: 1 or -1
+    };
+    const auto name_of = [&](Arrow& arrow) -> Name {
+      const int letters = arrow.name->GetTextProperty()->GetFontSize();
+      const double half_height = 0.6 * letters;
+      return {&arrow,
+              pixels_a_metre * arrow.tip.dot(right),
+              pixels_a_metre * arrow.tip.dot(above),
+              arrow.direction.dot(above) < 0.0 ? -1.0 : 1.0,
+              pixels_a_metre * tip_radius * arrow.length + 0.2 * letters + half_height,
+              0.5 * text_size(arrow.name->GetInput(), {letters, true}).width,
+              half_height};
+    };
+    Name a = name_of(sensor), b = name_of(transmitter);
+    const double down_between = std::abs(a.y + a.up * a.clear - b.y - b.up * b.clear);
+    const bool meet = sensor.name->GetVisibility() != 0 && transmitter.name->GetVisibility() != 0 &&
+                      std::abs(a.x - b.x) < a.half_width + b.half_width && down_between < a.half_height + b.half_height;
+    if (meet) a.up = a.y > b.y ? 1.0 : -1.0, b.up = -a.up;
+    for (const Name& name : {a, b})
+      name.arrow->name->SetDisplayOffset(0, static_cast<int>(std::lround(name.up * name.clear)));
   }
 
   // How far the target reaches from its middle.
@@ -221,8 +263,8 @@ void TargetScene::point_at(const Vec3& to_transmitter, const Vec3& to_receiver) 
   const bool is_monostatic = (to_transmitter - to_receiver).norm() < same;
   const double r = hidden_->radius;
   const auto set = [&](Arrow& arrow, const Vec3& direction, const char* name) {
-    arrow.set(hidden_->centre + (hidden_->reach(direction) + gap * r) * direction, direction, arrow_length * r,
-              name_gap * r, name);
+    arrow.set(hidden_->centre + (hidden_->reach(direction) + gap * r) * direction, direction, arrow_length * r, 0.0,
+              name);
   };
   set(hidden_->sensor, to_receiver, is_monostatic ? "sensor" : "receiver");
   set(hidden_->transmitter, to_transmitter, "transmitter");
@@ -255,7 +297,7 @@ void TargetScene::fit(double width_over_height) {
   vtkCamera* camera = hidden_->renderer->GetActiveCamera();
   const Vec3 d = -Vec3(camera->GetDirectionOfProjection()), above(camera->GetViewUp());
   const Vec3 right = above.cross(d).normalized();
-  const double with_arrow = (gap + arrow_length + name_gap) * hidden_->radius;
+  const double with_arrow = (gap + arrow_length + name_room) * hidden_->radius;
   const double across = std::max(hidden_->reach(right), hidden_->reach(-right)) + with_arrow;
   const double upward = std::max(hidden_->reach(above), hidden_->reach(-above)) + with_arrow;
   constexpr double of_names = 0.93;  // half of a name lies beyond its middle
@@ -281,8 +323,6 @@ void TargetScene::set_letters(int letters) {
   for (const Arrow* arrow :
        {&hidden_->sensor, &hidden_->transmitter, &hidden_->arrows[0], &hidden_->arrows[1], &hidden_->arrows[2]})
     arrow->name->GetTextProperty()->SetFontSize(letters);
-  // Names stand above the line of their arrows.
-  for (const Arrow* arrow : {&hidden_->sensor, &hidden_->transmitter}) arrow->name->SetDisplayOffset(0, letters);
 }
 
 vtkRenderer* TargetScene::renderer() const {
