@@ -1,0 +1,47 @@
+#include "view/target_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/direction.h"
+#include "two_plates.h"
+#include "view/facet_colours.h"
+
+namespace lrcs {
+namespace {
+
+// Pixels of exactly this colour: arrows are shaded, so they are letters, mostly.
+int letters_of(const Picture& picture, const Colour& colour) {
+  const Rgb wanted = rgb_of(colour);
+  int count = 0;
+  for (std::size_t k = 0; k < picture.rgb.size(); k += 3)
+    if (std::equal(wanted.begin(), wanted.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(k))) ++count;
+  return count;
+}
+
+// Whatever the angle between transmitter and receiver, neither name covers the other.
+TEST(TargetScene, KeepsNamesOfArrowsApart) {
+  const TwoPlates plates = two_plates();
+  TargetScene scene(plates.mesh);
+  scene.colour(std::vector<Colour>(plates.mesh.size(), unseen_grey));
+  const Colour of_transmitter = curve_colour(1);
+  for (const auto& [angle_deg, elevation_deg] :
+       std::vector<std::pair<double, double>>{{0.5, 0.0}, {3.0, 30.0}, {8.0, -20.0}}) {
+    const Vec3 receiver = direction_of({10.0 + angle_deg, elevation_deg + 0.5 * angle_deg});
+    scene.point_at(direction_of({10.0, elevation_deg}), receiver);
+    scene.look_beside(receiver);
+    const Picture both = scene.picture(400, 350, 14);
+    scene.show_receiver(false);
+    const Picture alone = scene.picture(400, 350, 14);
+    scene.show_receiver(true);
+    const int all = letters_of(alone, of_transmitter);
+    EXPECT_GT(all, 50);
+    EXPECT_GT(letters_of(both, of_transmitter), 0.9 * all) << angle_deg << " " << elevation_deg;
+  }
+}
+
+}  // namespace
+}  // namespace lrcs
