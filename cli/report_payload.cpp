@@ -14,6 +14,7 @@
 #include "cli/plane_curves.h"
 #include "cli/sweep_cuts.h"
 #include "mesh/diagnosis.h"
+#include "view/readable_text.h"
 
 namespace lrcs {
 namespace {
@@ -119,7 +120,7 @@ Json parts_json(const FacetMesh& mesh) {
   for (std::size_t k = 0; k < mesh.size(); ++k) ++facets[mesh.part.of[k]], area[mesh.part.of[k]] += mesh.areas[k];
   Json parts = Json::array();
   for (std::size_t part = 0; part < facets.size(); ++part)
-    parts.push_back({{"name", mesh.part.names[part]}, {"facets", facets[part]}, {"area_m2", area[part]}});
+    parts.push_back({{"name", readable(mesh.part.names[part])}, {"facets", facets[part]}, {"area_m2", area[part]}});
   return parts;
 }
 
@@ -150,7 +151,7 @@ Json materials_json(const Target& target) {
   for (std::size_t m = 0; m < target.materials.size(); ++m) {
     Json curves = Json::array();
     for (const double theta : theta_i) curves.push_back(curve_json(target.materials[m].brdf, theta, theta_r));
-    materials.push_back({{"name", target.materials[m].name},
+    materials.push_back({{"name", readable(target.materials[m].name)},
                          {"definition", material_to_yaml(target.materials[m])},
                          {"facets", facets[m]},
                          {"theta_i_deg", theta_i},
@@ -211,7 +212,7 @@ std::string report_json(const PastRun& run, const std::string& run_facts,
                         const std::vector<std::vector<double>>& part_sigma, const ShownTarget& shown,
                         const ShownReturns& returns) {
   const Cuts cuts = cuts_of_all(run.rows);
-  const Json json{{"format", 1},
+  const Json json{{"format", 2},
                   {"title", title_of(run.scene)},
                   {"version", version},
                   {"run", Json::parse(run_facts)},

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -68,12 +70,18 @@ void warn_of_names(const ViewedSweep& sweep, const Target& target, const Common&
   std::vector<std::string> names = target.mesh.part.names;
   names.push_back(sweep.title);
   for (const Material& material : target.materials) names.push_back(material.name);
-  for (const std::string& name : names) (void)text_bitmap(name, {20, false});
+  for (const std::string& name : names) note_letters_without_font(name);
   warn_of_letters_without_font(common);
+}
+
+[[noreturn]] void end_without_display() {
+  fmt::print(stderr, "lrcs: the window is gone: its X server has ended\n");
+  std::_Exit(1);
 }
 
 void view(const Options& options, const Common& common) {
   const auto [width, height] = size_from_words(options.size, "--size", {640, 360});
+  if (!options.png.empty()) require_output_file(options.png, "--png", {".png"});
   const FacetShowing showing = showing_of(options);
   const PastRun run = run_of(options, common);
   const std::size_t first = row_from_flag(options.aspect, run.rows.size());
@@ -101,8 +109,9 @@ void view(const Options& options, const Common& common) {
   view.show(showing);
   warn_of_names(sweep, target, common);
   const bool is_folder = std::filesystem::is_directory(options.input);
-  show_aspect_window(view, "lrcs: " + sweep.title, is_folder ? options.input : ".",
-                     [](const std::string& line) { fmt::print("{}\n", line), std::fflush(stdout); });
+  show_aspect_window(
+      view, "lrcs: " + sweep.title, is_folder ? options.input : ".",
+      [](const std::string& line) { fmt::print("{}\n", line), std::fflush(stdout); }, end_without_display);
 }
 
 }  // namespace

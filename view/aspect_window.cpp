@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -191,10 +190,11 @@ void require_display() {
         fmt::format("no window can be opened: DISPLAY={} has no OpenGL; --png FILE draws without", name));
 }
 
-// Where the X server ends, X wants the program to end here.
-int end_without_server(Display* /*display*/) {
-  std::fputs("lrcs: the window is gone: its X server has ended\n", stderr);
-  std::_Exit(1);
+// X has one such function a process, and gives it nothing of ours.
+void (*when_display_ends)() = nullptr;
+int display_has_ended(Display* /*display*/) {
+  when_display_ends();
+  return 0;
 }
 
 class AspectWindow {
@@ -308,9 +308,10 @@ class AspectWindow {
 }  // namespace
 
 void show_aspect_window(AspectView& view, const std::string& title, const std::filesystem::path& pictures,
-                        const std::function<void(const std::string&)>& say) {
+                        const std::function<void(const std::string&)>& say, void (*display_ends)()) {
   require_display();
-  XSetIOErrorHandler(end_without_server);
+  when_display_ends = display_ends;
+  XSetIOErrorHandler(display_has_ended);
   AspectWindow(view, title, pictures, say).run();
 }
 

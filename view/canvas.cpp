@@ -262,8 +262,10 @@ void Canvas::paste(const Picture& picture, int left, int bottom) {
 void Canvas::text(const Point& given, const std::string& text, const TextStyle& given_style) {
   const Point anchor = on_sheet(given);
   TextStyle style = given_style;
-  style.font.size = std::max(1, static_cast<int>(std::lround(magnification_ * given_style.font.size)));
+  // Never wider than it was measured to be.
+  style.font.size = std::max(1, static_cast<int>(magnification_ * given_style.font.size));
   const TextBitmap bitmap = text_bitmap(text, style.font);
+  if (recording_ == Recording::none && !bitmap.has_every_letter) note_letters_without_font(text);
   const double dx = shift(style.x, bitmap.width);
   const double lift = shift(style.y, bitmap.capital);  // from the anchor to the baseline
   const double dy = lift - bitmap.baseline;

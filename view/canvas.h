@@ -52,8 +52,8 @@ enum class Recording { none, shapes };
 // value: every shape covers a pixel by the share of it that lies inside (smooth edges); later shapes lie over earlier.
 // domain: shapes may lie anywhere; what is outside the sheet (or the clip box) is not drawn. A line breaks where a
 // point is not finite.
-// laws: the same calls give the same picture, on any machine with the same VTK and FreeType; text with letters that
-// VTK's face lacks, with the same fonts. error: one level a shape where it mixes with what lies below. check:
+// laws: the same calls give the same picture, on any machine with the same VTK and FreeType; where text has letters
+// that VTK's face lacks: with the same fonts. error: one level a shape where it mixes with what lies below. check:
 // tests/view/canvas_test.cpp measures areas of ink.
 class Canvas {
  public:

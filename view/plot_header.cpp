@@ -4,6 +4,9 @@
 #include <array>
 #include <sstream>
 
+#include "view/readable_text.h"
+#include "view/shortened_text.h"
+
 namespace lrcs {
 namespace {
 
@@ -101,8 +104,8 @@ std::vector<std::string> lines_of(const std::string& text, const Font& font, dou
   return lines;
 }
 
-// Without its middle; `kept` of its bytes or a few less.
-std::string shortened(const std::string& text, std::size_t kept) {
+// `kept` of its bytes or a few less.
+std::string without_middle(const std::string& text, std::size_t kept) {
   std::size_t front = kept / 2, back = text.size() - kept / 2;
   while (front > 0 && continues_letter(text[front])) --front;
   while (back < text.size() && continues_letter(text[back])) ++back;
@@ -113,7 +116,7 @@ std::vector<std::string> title_lines(const std::string& title, double room) {
   constexpr std::size_t most = 2;
   std::vector<std::string> lines = lines_of(title, title_font, room);
   for (std::size_t kept = title.size(); lines.size() > most; kept -= kept / 16 + 1)
-    lines = lines_of(shortened(title, kept), title_font, room);
+    lines = lines_of(without_middle(title, kept), title_font, room);
   return lines;
 }
 
@@ -125,9 +128,14 @@ void draw_centred(Canvas& canvas, const std::string& text, const Font& font, con
 
 }  // namespace
 
-double draw_header(Canvas& canvas, const PlotHeader& header) {
+double draw_header(Canvas& canvas, const PlotHeader& given) {
   constexpr Colour note_grey{0.35, 0.35, 0.35};
   const double room = canvas.width() - 2.0 * margin;
+  PlotHeader header{readable(given.title), given.note, given.legend};
+  // A label that is too wide in small letters, too, loses its beginning.
+  const Font smallest{note_font.size / 2, note_font.bold};
+  for (LegendEntry& entry : header.legend)
+    entry.label = shortened(entry.label, smallest, room - sample_length - text_gap);
   double y = canvas.height() - margin;
   for (const std::string& line : title_lines(header.title, room)) {
     draw_centred(canvas, line, title_font, ink, y);

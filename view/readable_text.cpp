@@ -35,6 +35,12 @@ bool is_control(char32_t letter) {
   return letter < 0x20 || (letter >= 0x7f && letter < 0xa0) || letter == 0xfffe || letter == 0xffff;
 }
 
+// Those that have no shape: soft hyphen, of no width, of direction, selectors of variants, marks of byte order.
+bool is_shapeless(char32_t letter) {
+  return letter == 0xad || (letter >= 0x200b && letter <= 0x200f) || (letter >= 0x202a && letter <= 0x202e) ||
+         (letter >= 0x2060 && letter <= 0x206f) || (letter >= 0xfe00 && letter <= 0xfe0f) || letter == 0xfeff;
+}
+
 bool is_ascii(char byte) {
   return static_cast<unsigned char>(byte) < 0x80;
 }
@@ -57,7 +63,7 @@ std::string row_shown(std::string_view row) {
   for (std::string_view rest = row; !rest.empty();) {
     const auto [letter, bytes] = decoded(rest);
     if (bytes == 0) return bytes_shown(row);
-    shown += is_control(letter) ? " " : rest.substr(0, bytes);
+    shown += is_control(letter) ? " " : is_shapeless(letter) ? "" : rest.substr(0, bytes);
     rest.remove_prefix(bytes);
   }
   return shown;

@@ -4,8 +4,9 @@
 namespace lrcs {
 
 // A line of text as pictures show it. Names come from files: letters beyond ASCII in a row of which some are not UTF-8
-// become their bytes, <CC><AB> (of GBK some look like UTF-8 by chance); a control character becomes a space.
-// laws: the result is UTF-8 and XML can hold it; text that is so already stays as it is.
+// become their bytes, <CC><AB> (of GBK some look like UTF-8 by chance); a control character becomes a space, and
+// what has no shape (of no width, of direction) is left out.
+// laws: the result is UTF-8 and XML can hold it; other text stays as it is.
 // check: tests/view/readable_text_test.cpp
 [[nodiscard]] std::string readable(const std::string& text);
 

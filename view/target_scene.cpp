@@ -25,7 +25,7 @@
 #include <array>
 #include <cmath>
 
-#include "view/canvas.h"
+#include "view/arrow_names.h"
 #include "view/offscreen.h"
 #include "view/parallel_view.h"
 
@@ -37,7 +37,7 @@ constexpr double sharp = 30.0;  // where facets turn by more, a line is drawn [d
 constexpr double gap = 0.05, arrow_length = 0.24, name_room = 0.09;
 constexpr double tip_radius = 0.11;  // of the arrow's length
 
-vtkSmartPointer<vtkPolyData> triangles_of(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
+vtkSmartPointer<vtkPolyData> shown_triangles(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -133,7 +133,7 @@ struct Arrow {
 }  // namespace
 
 struct TargetScene::Hidden {
-  explicit Hidden(const FacetMesh& m) : mesh(m), triangles(triangles_of(m)) {
+  explicit Hidden(const FacetMesh& m) : mesh(m), triangles(shown_triangles(m)) {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const auto& facet : mesh.facets)
       for (const std::uint32_t v : facet)
@@ -195,35 +195,33 @@ struct TargetScene::Hidden {
     camera->SetClippingRange(5.0, 15.0);
   }
 
-  // Names stand over the tips of arrows that point up on the screen and under those of others, off their shafts; where
-  // two would meet, over the upper tip and under the lower.
   void place_names() {
     vtkCamera* camera = renderer->GetActiveCamera();
-    const Vec3 above(camera->GetViewUp());
+    const Vec3 above(camera->GetViewUp()), focus(camera->GetFocalPoint());
     const Vec3 right = Vec3(camera->GetDirectionOfProjection()).cross(above);
     const double pixels_a_metre = 0.5 * renderer->GetSize()[1] / camera->GetParallelScale();
-    struct Name {
-      Arrow* arrow;
-      double x, y, up, clear, half_width, half_height;  // [pixel]; up: 1 or -1
+    const Point middle{0.5 * renderer->GetSize()[0], 0.5 * renderer->GetSize()[1]};
+    const auto on_screen = [&](const Vec3& p) -> Point {
+      return {middle.x + pixels_a_metre * (p - focus).dot(right), middle.y + pixels_a_metre * (p - focus).dot(above)};
     };
-    const auto name_of = [&](Arrow& arrow) -> Name {
+    const auto named = [&](const Arrow& arrow) -> NamedArrow {
       const int letters = arrow.name->GetTextProperty()->GetFontSize();
-      const double half_height = 0.6 * letters;
-      return {&arrow,
-              pixels_a_metre * arrow.tip.dot(right),
-              pixels_a_metre * arrow.tip.dot(above),
-              arrow.direction.dot(above) < 0.0 ? -1.0 : 1.0,
-              pixels_a_metre * tip_radius * arrow.length + 0.2 * letters + half_height,
-              0.5 * text_size(arrow.name->GetInput(), {letters, true}).width,
-              half_height};
+      return {on_screen(arrow.tip - arrow.length * arrow.direction), on_screen(arrow.tip),
+              0.5 * text_size(arrow.name->GetInput(), {letters, true}).width + 0.1 * letters, 0.6 * letters,
+              pixels_a_metre * tip_radius * arrow.length + 0.2 * letters};
     };
-    Name a = name_of(sensor), b = name_of(transmitter);
-    const double down_between = std::abs(a.y + a.up * a.clear - b.y - b.up * b.clear);
-    const bool meet = sensor.name->GetVisibility() != 0 && transmitter.name->GetVisibility() != 0 &&
-                      std::abs(a.x - b.x) < a.half_width + b.half_width && down_between < a.half_height + b.half_height;
-    if (meet) a.up = a.y > b.y ? 1.0 : -1.0, b.up = -a.up;
-    for (const Name& name : {a, b})
-      name.arrow->name->SetDisplayOffset(0, static_cast<int>(std::lround(name.up * name.clear)));
+    const auto is_shown = [](const Arrow& arrow) { return arrow.name->GetVisibility() != 0; };
+    // One that is not shown is in nobody's way.
+    const Arrow& first = is_shown(sensor) ? sensor : transmitter;
+    const Arrow& second = is_shown(transmitter) ? transmitter : sensor;
+    const std::array<NamedArrow, 2> arrows{named(first), named(second)};
+    const auto places = places_of_names(arrows, {{0.0, 0.0}, {2.0 * middle.x, 2.0 * middle.y}});
+    const auto put = [](const Arrow& arrow, const Point& tip, const Point& place) {
+      arrow.name->SetDisplayOffset(static_cast<int>(std::lround(place.x - tip.x)),
+                                   static_cast<int>(std::lround(place.y - tip.y)));
+    };
+    if (&first != &second) put(second, arrows[1].tip, places[1]);
+    put(first, arrows[0].tip, places[0]);
   }
 
   // How far the target reaches from its middle.
@@ -277,7 +275,7 @@ void TargetScene::show_receiver(bool is_shown) {
 
 void TargetScene::outline_part(std::optional<std::uint32_t> part) {
   hidden_->part->SetVisibility(part.has_value());
-  if (part) set_lines(hidden_->part, triangles_of(hidden_->mesh, part), {0.84, 0.1, 0.1}, 3.0);
+  if (part) set_lines(hidden_->part, shown_triangles(hidden_->mesh, part), {0.84, 0.1, 0.1}, 3.0);
 }
 
 void TargetScene::look_from(const Vec3& toward_viewer) {

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "view/glyph.h"
+#include "view/installed_font.h"
 #include "view/readable_text.h"
 
 namespace lrcs {
@@ -63,7 +64,6 @@ std::set<char32_t>& without_font() {
 // The letter's, or those of <U+592A>.
 std::vector<Glyph> glyphs_of(char32_t letter, const Font& font) {
   if (auto glyph = glyph_of(letter, font)) return {*std::move(glyph)};
-  without_font().insert(letter);
   std::vector<Glyph> glyphs;
   for (const char sign : fmt::format("<U+{:04X}>", static_cast<std::uint32_t>(letter)))
     glyphs.push_back(glyph_of(static_cast<char32_t>(sign), font).value());
@@ -120,6 +120,12 @@ TextBitmap text_bitmap(const std::string& text, const Font& font) {
   TextBitmap bitmap = joined(glyphs, capital);
   bitmap.has_every_letter = has_every_letter;
   return bitmap;
+}
+
+void note_letters_without_font(const std::string& text) {
+  const std::u32string all = letters_of(readable(text));
+  for (const char32_t letter : std::set<char32_t>(all.begin(), all.end()))
+    if (!is_built_in(letter) && !installed_font(letter, false)) without_font().insert(letter);
 }
 
 const std::set<char32_t>& letters_without_font() {

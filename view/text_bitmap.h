@@ -32,7 +32,9 @@ struct TextBitmap {
 // Not for two threads at once: VTK's cache of letters is shared.
 [[nodiscard]] TextBitmap text_bitmap(const std::string& text, const Font& font);
 
-// Those that no font had, of all text so far.
+// Keeps in mind which letters of a text that is drawn no font has.
+void note_letters_without_font(const std::string& text);
+// Those, of all text so far.
 [[nodiscard]] const std::set<char32_t>& letters_without_font();
 
 }  // namespace lrcs

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -99,6 +100,23 @@ TEST(Canvas, MagnifiesAllThatIsDrawn) {
   Canvas canvas(200, 100, Recording::none, 2.0);
   EXPECT_THROW(canvas.paste(Picture{1, 1, {0, 0, 0}}, 0, 0), std::logic_error);
   EXPECT_THROW(Canvas(200, 100, Recording::none, 0.0), std::invalid_argument);
+}
+
+// Letters have whole sizes: 36 becomes 9, 30 becomes 7.5.
+TEST(Canvas, DrawsTextNoWiderThanItWasMeasuredAtAnyMagnification) {
+  for (const double magnification : {0.25, 0.33, 0.7, 1.0, 1.9})
+    for (const int size : {30, 36, 46}) {
+      const Font font{size, false};
+      const std::string text = "Monostatic LRCS of tess.obj";
+      Canvas canvas(1000, 100, Recording::none, magnification);
+      canvas.text({0.0, 20.0 / magnification}, text, {.font = font, .colour = black});
+      int right = 0;
+      const Picture& picture = canvas.picture();
+      for (int k = 0; k < picture.width * picture.height; ++k)
+        if (picture.rgb[3 * static_cast<std::size_t>(k)] < 128) right = std::max(right, k % picture.width);
+      EXPECT_GT(right, 50);
+      EXPECT_LE(right, std::ceil(magnification * text_size(text, font).width) + 2.0) << magnification << " " << size;
+    }
 }
 
 TEST(Canvas, MagnifiesWhatItRecords) {

@@ -10,6 +10,10 @@ TEST(ReadableText, IsTheTextWhereThatIsUtf8) {
     EXPECT_EQ(readable(text), text);
 }
 
+TEST(ReadableText, LeavesOutWhatHasNoShape) {
+  EXPECT_EQ(readable("sat\u200b\ufe0f\u202e太\ufeff"), "sat太");
+}
+
 TEST(ReadableText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(readable("\xb0\xe5"), "<B0><E5>");                            // 板 in GBK
   EXPECT_EQ(readable("\xcc\xab\xd1\xf4 ²"), "<CC><AB><D1><F4> ²");        // 太阳 in GBK; cc ab alone would be UTF-8

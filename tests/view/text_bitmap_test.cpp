@@ -85,6 +85,8 @@ TEST(TextBitmap, TakesTextThatIsNotUtf8) {
   setenv("FONTCONFIG_FILE", none.c_str(), 1);
   const TextBitmap sun = text_bitmap("太阳", regular), body = text_bitmap("本体", regular);
   const bool is_named = is_in(sun, text_bitmap("<U+592A>", regular), 0) && ink_of(sun) > 100;
+  note_letters_without_font("太阳é");
+  note_letters_without_font("本体");
   const bool is_told =
       !sun.has_every_letter && letters_without_font() == std::set<char32_t>{U'太', U'阳', U'本', U'体'};
   _exit(is_named && is_told && sun.coverage != body.coverage && text_bitmap("é", regular).has_every_letter ? 0 : 1);

@@ -21,6 +21,7 @@ export const unseenColour = '#d2d2d2';
 export const ink = '#212121';
 export const curveColour = '#0b559f';
 export const highlight = '#e6007e';
+export const transmitterColour = '#d55e00';
 export const axisColours = { x: '#d55e00', y: '#009e73', z: '#0072b2' };
 
 export function viridis(share) {

@@ -94,10 +94,7 @@ export class FacetMesh {
       }),
     );
     this.through.visible = false;
-    this.setFacets(facets);
-  }
 
-  setFacets(facets) {
     const corners = 3 * facets.count;
     const position = new Float32Array(3 * corners);
     const part = new Float32Array(corners);

@@ -46,13 +46,13 @@ async function main() {
   new AspectBar(bar, data, aspect);
   const panel = drawTarget(data, aspect, ranking, selection);
   const plots = {};
-  const firstPicture = shown().then(() => performance.now());
+  const firstPicture = shownWithin(1000).then(() => performance.now());
   // In between, the browser shows what is there and takes what the reader does.
   const ready = firstPicture.then(async (firstPictureMs) => {
     drawRest(data, aspect, ranking, selection, panel);
-    await soon();
+    await shownWithin(100);
     drawPlots(plots, data, aspect, ranking, decibels);
-    await soon();
+    await shownWithin(100);
     await panel.finish();
     return { firstPictureMs };
   });
@@ -76,10 +76,13 @@ async function main() {
   await ready;
 }
 
-// Kept when the browser has taken over all that was drawn until now.
-const shown = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-// That, or not much later: where frames take long, what is left to do need not wait for them.
-const soon = () => Promise.race([shown(), new Promise((resolve) => setTimeout(resolve, 100))]);
+// Kept when the browser has taken over all that was drawn until now; at the latest after so many milliseconds: a page
+// that is not seen gets no frames, and where frames take long, what is left to do need not wait for them.
+const shownWithin = (most) =>
+  Promise.race([
+    new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))),
+    new Promise((resolve) => setTimeout(resolve, most)),
+  ]);
 
 function drawRest(data, aspect, ranking, selection, panel) {
   new FacetCard(byId('facet-facts'), byId('clear'), data, panel.view ? panel.facets : null, aspect, selection);

@@ -13,7 +13,7 @@ export class PartRanking {
   }
 }
 
-export const nameOf = ({ name }) => (name === '' ? '(no name)' : name);
+export const nameOf = ({ name }) => (name.trim() === '' ? '(no name)' : name);
 
 // Parts by their sigma at one row, strongest first.
 export function partsAt(data, row) {

@@ -5,7 +5,7 @@ export function readPayload() {
   const text = document.getElementById('lrcs-data')?.textContent;
   if (!text) throw new Error('This page holds no data: lrcs report fills it.');
   const data = JSON.parse(text);
-  if (data.format !== 1) throw new Error(`This page reads payloads of format 1, not ${data.format}.`);
+  if (data.format !== 2) throw new Error(`This page reads payloads of format 2, not ${data.format}.`);
   const rows = data.rows.sigma_m2.length;
   if (data.part_sigma_m2.length !== rows) throw new Error('The parts have another number of rows than the sweep.');
   if (data.cuts.length === 0) {
@@ -47,6 +47,7 @@ class Inflated {
     this.filled = 0;
     this.taken = 0;
     this.stream = new Unzlib((chunk) => {
+      if (this.filled + chunk.length > length) throw new Error(`They take more than ${length} bytes: the file is damaged.`);
       this.bytes.set(chunk, this.filled);
       this.filled += chunk.length;
     });

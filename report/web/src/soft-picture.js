@@ -13,6 +13,7 @@ export class SoftPicture {
     this.facets = facets;
     this.place = new Float32Array(facets.positions.length);
     this.corners = new Int32Array(4);
+    this.setSize(1, 1);
   }
 
   setSize(width, height) {
@@ -99,7 +100,7 @@ export class SoftPicture {
       const here = depthAtLeft + right * x;
       if (here <= depth[at]) continue;
       depth[at] = here;
-      pixels[at] = hatch > 0 && (x + row) % (8 * hatch) < 2 * hatch ? mark : colour;
+      pixels[at] = hatch > 0 && (x + this.canvas.height - row) % (8 * hatch) < 2 * hatch ? mark : colour;
     }
   }
 }

@@ -43,13 +43,14 @@ export class TargetPanel {
     for (const choice of [this.parts.colouring, this.parts.floor])
       choice.addEventListener('change', () => this.paint());
     this.aspect.follow(() => this.onAspect());
-    this.selection.follow(() => this.view.select(this.selection.part));
+    this.selection.follow(() => this.view?.select(this.selection.part));
     this.onAspect();
     this.paint();
     this.view.draw();
   }
 
   refuse(message) {
+    this.view = null;
     this.parts.message.textContent = message;
     this.parts.message.hidden = false;
     for (const part of ['canvas', 'soft', 'overlay']) this.parts[part].style.display = 'none';
@@ -60,10 +61,17 @@ export class TargetPanel {
   // The first picture waits for neither WebGL nor creases.
   async finish() {
     if (!this.view) return;
-    this.facets.readAll();
-    this.withoutWebGl = !(await this.view.useWebGl());
-    if (this.withoutWebGl) this.say();
-    else this.view.addCreases();
+    try {
+      this.facets.readAll();
+    } catch (error) {
+      return this.refuse(`The facets cannot be read: ${error.message}`);
+    }
+    const sayWithout = () => {
+      this.withoutWebGl = true;
+      this.say();
+    };
+    if (await this.view.useWebGl(sayWithout)) this.view.addCreases();
+    else sayWithout();
   }
 
   // What is below the floor of the stored levels cannot be told apart.
@@ -116,6 +124,7 @@ export class TargetPanel {
   }
 
   onAspect() {
+    if (!this.view) return;
     const { rows } = this.data;
     const { transmitter, receiver } = directionsOf(rows, this.aspect.row);
     this.view.setSensors(
@@ -140,6 +149,7 @@ export class TargetPanel {
   }
 
   paint() {
+    if (!this.view) return;
     const choice = { colouring: this.parts.colouring.value, stored: this.stored, floorDb: this.floorDb };
     const { front, back } = this.view.colours;
     facetColours(this.data, this.facets, this.ranking, choice, this.facets.material, front);
@@ -164,7 +174,7 @@ export class TargetPanel {
         `Drawn with ${countText(data.shown.facets)} facets, each for a group of the target's ${countText(data.target.facets)}.`,
       );
     }
-    if (this.withoutWebGl) said.push('This browser has no WebGL 2: the target is drawn without it, and more plainly.');
+    if (this.withoutWebGl) said.push('The target is drawn without WebGL 2, and more plainly: without its edges.');
     this.parts.note.textContent = said.join(' ');
     this.parts.canvas.setAttribute(
       'aria-label',

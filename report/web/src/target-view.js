@@ -54,7 +54,6 @@ export class TargetView {
     this.controls.maxZoom = 200;
     this.controls.addEventListener('change', () => this.redrawSoon());
     this.setSize();
-    this.reset();
     onResize(this.canvas.parentElement, () => {
       this.setSize();
       this.draw();
@@ -72,10 +71,30 @@ export class TargetView {
     this.scene.add(this.mesh.facets, this.mesh.through);
   }
 
-  // From now on WebGL draws, where it can; says whether.
-  async useWebGl() {
+  // From now on WebGL draws, where it can and until it is lost; says whether. onLost: called then.
+  async useWebGl(onLost) {
+    const renderer = await this.webGlRenderer().catch(() => null);
+    if (!renderer) return false;
+    this.renderer = renderer;
+    this.setSize();
+    this.draw();
+    this.soft.canvas.style.display = 'none';
+    this.soft.setSize(1, 1);
+    this.canvas.addEventListener('webglcontextlost', () => {
+      this.renderer = null;
+      this.canvas.style.opacity = 0;
+      this.soft.canvas.style.display = '';
+      this.setSize();
+      this.draw();
+      onLost();
+    });
+    return true;
+  }
+
+  // Null where there is no WebGL 2, or it cannot draw the mesh.
+  async webGlRenderer() {
     const context = this.canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
-    if (!context) return false;
+    if (!context) return null;
     this.makeMesh();
     const renderer = new WebGLRenderer({ canvas: this.canvas, context });
     renderer.outputColorSpace = LinearSRGBColorSpace;
@@ -84,12 +103,7 @@ export class TargetView {
     renderer.compile(this.mesh.facets, this.camera, this.scene);
     await new Promise((resolve) => setTimeout(resolve));
     const links = ({ program }) => context.getProgramParameter(program, context.LINK_STATUS);
-    if (!renderer.info.programs.every(links)) return false;
-    this.renderer = renderer;
-    this.setSize();
-    this.draw();
-    this.soft.canvas.style.display = 'none';
-    return true;
+    return renderer.info.programs.every(links) ? renderer : null;
   }
 
   addCreases() {
@@ -190,6 +204,7 @@ export class TargetView {
   setSize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (width === 0 || height === 0) return;
+    const isFirst = this.width === undefined;
     this.width = width;
     this.height = height;
     const ratio = Math.min(window.devicePixelRatio, 2);
@@ -203,6 +218,7 @@ export class TargetView {
     const across = half * Math.max(width / height, 1);
     const up = half * Math.max(height / width, 1);
     Object.assign(this.camera, { left: -across, right: across, top: up, bottom: -up });
+    if (isFirst) this.reset();
   }
 
   redrawSoon() {
@@ -213,6 +229,7 @@ export class TargetView {
 
   draw() {
     this.waiting = false;
+    if (this.width === undefined) return; // hidden as yet
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
     if (this.renderer) this.renderer.render(this.scene, this.camera);

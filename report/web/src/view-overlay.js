@@ -1,14 +1,16 @@
 // Over the target: arrows toward transmitter and receiver, and the axes of the body.
 import { Vector3 } from 'three';
-import { axisColours, ink } from './colour.js';
+import { axisColours, ink, transmitterColour } from './colour.js';
 import { rootFontPx, svg } from './dom.js';
 
 export function drawOverlay(view) {
   const unit = rootFontPx();
-  const taken = [];
+  const arrows = view.sensors.map(({ direction }) => arrowAlong(view, direction));
+  // By arrows; then by names, too.
+  const taken = arrows.flatMap((arrow) => (arrow.endOn ? [] : boxesAlong(arrow.from, arrow.to, 0.3 * unit)));
   view.overlay.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
   view.overlay.replaceChildren(
-    ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, k, unit, taken)),
+    ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, arrows[k], k, unit, taken)),
     axesTriad(view, unit),
   );
 }
@@ -17,31 +19,48 @@ function inView(view, vector) {
   return new Vector3(...vector).transformDirection(view.camera.matrixWorldInverse);
 }
 
-// taken: boxes of the names so far, to which this one's is added.
-function sensorArrow(view, { direction, label }, k, unit, taken) {
+// Ends of its arrow [pixel of the page]. Along the line of sight an arrow is a point.
+function arrowAlong(view, direction) {
   const reach = view.reach(new Vector3(...direction));
   const at = (distance) => view.project(new Vector3(...direction).multiplyScalar(distance).add(view.centre));
   const toward = inView(view, direction);
-  // Along the line of sight an arrow is a point: the usual signs for out of and into the page, in the corner.
-  if (Math.hypot(toward.x, toward.y) < 0.1) {
+  return {
+    toward,
+    endOn: Math.hypot(toward.x, toward.y) < 0.1,
+    from: at(reach + 0.02 * view.radius),
+    to: at(reach + 0.27 * view.radius),
+  };
+}
+
+function boxesAlong([x0, y0], [x1, y1], half) {
+  return [0, 0.2, 0.4, 0.6, 0.8, 1].map((share) => {
+    const [x, y] = [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
+    return { left: x - half, right: x + half, top: y - half, bottom: y + half };
+  });
+}
+
+// taken: boxes that names keep off, to which this one's is added.
+function sensorArrow(view, { label }, { toward, endOn, from, to }, k, unit, taken) {
+  const colour = label === 'transmitter' ? transmitterColour : ink;
+  // The usual signs for out of and into the page, in the corner.
+  if (endOn) {
     taken.push({ left: 0, right: view.width, top: 0, bottom: (2 + 1.5 * k) * unit });
-    return endOnArrow(k, toward.z > 0, label, unit);
+    return endOnArrow(k, toward.z > 0, label, colour, unit);
   }
-  const [from, to] = [at(reach + 0.02 * view.radius), at(reach + 0.27 * view.radius)];
   const group = svg('g', {});
   const dashes = toward.z < -0.1 ? `${0.4 * unit} ${0.25 * unit}` : null;
   for (const casing of [true, false]) {
-    const stroke = { stroke: casing ? '#fff' : ink, 'stroke-width': (casing ? 0.4 : 0.15) * unit, fill: 'none' };
+    const stroke = { stroke: casing ? '#fff' : colour, 'stroke-width': (casing ? 0.4 : 0.15) * unit, fill: 'none' };
     group.append(svg('path', { d: shaft(from, to), ...stroke, 'stroke-dasharray': casing ? null : dashes }));
     group.append(svg('path', { d: head(from, to, 0.7 * unit), ...stroke, 'stroke-linejoin': 'round' }));
   }
   const [x, y] = placeOfName(view, from, to, 0.55 * unit * label.length, unit, taken);
-  group.append(text(x, y, label, ink, 'start'));
+  group.append(text(x, y, label, colour, 'start'));
   return group;
 }
 
 // Left end and base line of a name of an arrow: beyond its head, in the frame, and as far up or down from there as
-// keeps it off the names so far.
+// keeps it off what is taken.
 function placeOfName(view, from, to, wide, unit, taken) {
   const along = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
   const [right, down] = [(to[0] - from[0]) / along, (to[1] - from[1]) / along];
@@ -59,16 +78,16 @@ function placeOfName(view, from, to, wide, unit, taken) {
 
 const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-function endOnArrow(k, towardViewer, label, unit) {
+function endOnArrow(k, towardViewer, label, colour, unit) {
   const radius = 0.5 * unit;
   const [x, y] = [1.2 * unit, (1.2 + 1.5 * k) * unit];
-  const circle = { cx: x, cy: y, r: radius, fill: '#fff', stroke: ink, 'stroke-width': 2 };
+  const circle = { cx: x, cy: y, r: radius, fill: '#fff', stroke: colour, 'stroke-width': 2 };
   const d = 0.7 * radius;
   const sign = towardViewer
-    ? svg('circle', { cx: x, cy: y, r: 0.25 * radius, fill: ink })
+    ? svg('circle', { cx: x, cy: y, r: 0.25 * radius, fill: colour })
     : svg('path', {
         d: `M${x - d},${y - d}L${x + d},${y + d}M${x - d},${y + d}L${x + d},${y - d}`,
-        stroke: ink,
+        stroke: colour,
         'stroke-width': 2,
       });
   return svg(
@@ -80,7 +99,7 @@ function endOnArrow(k, towardViewer, label, unit) {
       x + 1.6 * radius,
       y + 0.3 * unit,
       `${label}, ${towardViewer ? 'where you look from' : 'on the far side'}`,
-      ink,
+      colour,
       'start',
     ),
   );

@@ -356,7 +356,7 @@ test('without WebGL the target is drawn all the same, and turns', async () => {
       'satellite',
       async ({ page }) => {
         assert.equal((await stateOf(page)).webgl, false);
-        assert.match(await page.locator('#view-note').innerText(), /no WebGL 2/);
+        assert.match(await page.locator('#view-note').innerText(), /without WebGL 2/);
         await page.locator('#slider').fill('9');
         assert.equal((await stateOf(page)).row, 9);
         const picture = await pictureOf(page);
@@ -374,10 +374,66 @@ test('without WebGL the target is drawn all the same, and turns', async () => {
   }
 });
 
+test('a page in a frame that is hidden at first shows its target when it is seen', async () => {
+  await withReport('satellite', async ({ path }) => {
+    const outer = join(folder, 'frame.html');
+    const frame = `<iframe src="${pathToFileURL(path).href}" width="1000" height="800"></iframe>`;
+    writeFileSync(outer, `<div id="tab" style="display: none">${frame}</div>`);
+    const page = await browser.newPage({ viewport: desktop });
+    await page.goto(pathToFileURL(outer).href);
+    const [, inner] = page.frames();
+    await inner.evaluate(() => window.lrcs.ready);
+    await page.evaluate(() => (document.getElementById('tab').style.display = ''));
+    await inner.waitForFunction(() => document.querySelectorAll('#overlay .label').length === 4);
+    // Large enough that the middle part is where it is picked.
+    assert.ok(await placeOfPart(inner, 6));
+    const box = await inner.evaluate(() => {
+      const { clientWidth: width, clientHeight: height } = document.getElementById('target');
+      const xs = Array.from({ length: 50 }, (_, k) => 0.02 * k).filter((x) =>
+        [0.3, 0.4, 0.5, 0.6, 0.7].some((y) => window.lrcs.pick(x * width, y * height)),
+      );
+      return xs[xs.length - 1] - xs[0];
+    });
+    assert.ok(box > 0.3, `the target is ${box} of the view wide`);
+    await page.close();
+  });
+});
+
+test('a page that gets no frames is filled all the same', () =>
+  withReport(
+    'satellite',
+    async ({ page, data }) => {
+      assert.ok((await page.locator('#parts tbody tr').count()) >= Math.min(10, data.parts.length));
+      assert.ok((await page.locator('#sweep-plot path').count()) > 3);
+      assert.ok((await page.locator('#run-facts dt').count()) > 3);
+    },
+    { first: () => (window.requestAnimationFrame = () => 0) },
+  ));
+
+test('where WebGL is lost the target is drawn without it', async () => {
+  await withReport('satellite', async ({ path }) => {
+    const page = await browser.newPage({ viewport: desktop });
+    await page.goto(pathToFileURL(path).href);
+    await page.evaluate(() => window.lrcs.ready);
+    await page.evaluate(() =>
+      document.getElementById('target').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext(),
+    );
+    await page.waitForFunction(() => window.lrcs.state.webgl === false);
+    assert.match(await page.locator('#view-note').innerText(), /without WebGL 2/);
+    const colours = await page.evaluate(() => {
+      const soft = document.getElementById('soft');
+      const { data } = soft.getContext('2d').getImageData(0, 0, soft.width, soft.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+    assert.ok(colours > 5, `${colours} colours`);
+    await page.close();
+  });
+});
+
 test('a damaged or empty page says so', async () => {
   const page = await browser.newPage();
   const path = join(folder, 'empty.html');
-  const cases = [template, fill(template, { data: { format: 2 }, binary: Buffer.alloc(0) })];
+  const cases = [template, fill(template, { data: { format: 3 }, binary: Buffer.alloc(0) })];
   for (const html of cases) {
     writeFileSync(path, html);
     await page.goto(pathToFileURL(path).href);
@@ -388,5 +444,19 @@ test('a damaged or empty page says so', async () => {
   await page.goto(pathToFileURL(path).href);
   await page.evaluate(() => window.lrcs.ready);
   assert.match(await page.locator('#no-view').innerText(), /^The facets cannot be read: /);
+  // What the first picture needs is whole, the rest is not: numbers and plots are there, and follow the slider.
+  const { data: many, binary } = samples.satellite();
+  const complaints = [];
+  page.on('pageerror', (error) => complaints.push(error.message));
+  for (const damaged of [binary.subarray(0, binary.length - 100), Buffer.concat([binary, Buffer.alloc(1000, 7)])]) {
+    writeFileSync(path, fill(template, { data: many, binary: damaged }));
+    await page.goto(pathToFileURL(path).href);
+    await page.evaluate(() => window.lrcs.ready);
+    assert.match(await page.locator('#no-view').innerText(), /^The facets cannot be read: /);
+    await page.locator('#slider').fill('5');
+    assert.equal((await stateOf(page)).row, 5);
+    assert.equal(await page.evaluate(() => window.lrcs.pick(300, 300)), null);
+  }
+  assert.deepEqual(complaints, []);
   await page.close();
 });

@@ -111,7 +111,7 @@ export function payload({ mesh, parts }, rows, cuts, more = {}) {
   const sigma_m2 = part_sigma_m2.map((sums) => sums.reduce((a, b) => a + b, 0));
   const column = (i) => rows.map((row) => row[i]);
   const data = {
-    format: 1,
+    format: 2,
     title: more.title ?? 'Monostatic LRCS of satellite.step',
     version: '0.9.0',
     run: {
