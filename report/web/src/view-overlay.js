@@ -6,8 +6,11 @@ import { rootFontPx, svg } from './dom.js';
 export function drawOverlay(view) {
   const unit = rootFontPx();
   const arrows = view.sensors.map(({ direction }) => arrowAlong(view, direction));
-  // By arrows; then by names, too.
-  const taken = arrows.flatMap((arrow) => (arrow.endOn ? [] : boxesAlong(arrow.from, arrow.to, 0.3 * unit)));
+  // By the axes and arrows; then by names, too.
+  const taken = [
+    { left: 0, right: 9 * unit, top: view.height - 6.5 * unit, bottom: view.height },
+    ...arrows.flatMap((arrow) => (arrow.endOn ? [] : boxesAlong(arrow.from, arrow.to, 0.3 * unit))),
+  ];
   view.overlay.setAttribute('viewBox', `0 0 ${view.width} ${view.height}`);
   view.overlay.replaceChildren(
     ...view.sensors.map((sensor, k) => sensorArrow(view, sensor, arrows[k], k, unit, taken)),
@@ -70,7 +73,7 @@ function placeOfName(view, from, to, wide, unit, taken) {
   const best = Math.min(Math.max(to[1] + 0.35 * unit + unit * down, highest), lowest);
   const boxAt = (y) => ({ left, right: left + wide, top: y - 0.8 * unit, bottom: y + 0.3 * unit });
   const isFree = (y) => y >= highest && y <= lowest && !taken.some((box) => overlap(box, boxAt(y)));
-  const heights = [0, 1, -1, 2, -2, 3, -3, 4, -4].map((lines) => best + 0.6 * lines * unit);
+  const heights = Array.from({ length: 21 }, (_, k) => best + 0.6 * unit * Math.ceil(k / 2) * (k % 2 ? 1 : -1));
   const y = heights.find(isFree) ?? best;
   taken.push(boxAt(y));
   return [left, y];
