@@ -52,9 +52,10 @@ enum class Recording { none, shapes };
 // value: every shape covers a pixel by the share of it that lies inside (smooth edges); later shapes lie over earlier.
 // domain: shapes may lie anywhere; what is outside the sheet (or the clip box) is not drawn. A line breaks where a
 // point is not finite.
-// laws: the same calls give the same picture, on any machine with the same VTK and FreeType; where text has letters
-// that VTK's face lacks: with the same fonts. error: one level a shape where it mixes with what lies below. check:
-// tests/view/canvas_test.cpp measures areas of ink.
+// laws: the same calls give the same picture, on any machine with the same VTK, FreeType and, where text has letters
+//   that VTK's face lacks, fonts.
+// error: one level a shape where it mixes with what lies below.
+// check: tests/view/canvas_test.cpp measures areas of ink.
 class Canvas {
  public:
   // magnification: pixels of the picture for each that shapes are given in: all of a plot grows with its picture.

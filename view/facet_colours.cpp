@@ -8,7 +8,6 @@
 #include "view/ticks.h"
 
 namespace lrcs {
-
 namespace {
 
 // Colours of a quantity that is known where a facet is lit and seen.

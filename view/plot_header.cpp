@@ -60,10 +60,6 @@ void draw_row(Canvas& canvas, const std::vector<LegendEntry>& entries, double y)
   }
 }
 
-bool continues_letter(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;  // UTF-8
-}
-
 // As many letters as the room takes, at least one. [bytes]
 std::size_t fitting_length(const std::string& word, const Font& font, double room) {
   std::vector<std::size_t> ends;  // of letters
@@ -89,7 +85,7 @@ std::vector<std::string> lines_of(const std::string& text, const Font& font, dou
   std::vector<std::string> lines;
   std::istringstream paragraphs(text);
   for (std::string paragraph; std::getline(paragraphs, paragraph);) {
-    std::istringstream words(paragraph);
+    std::istringstream words(readable(paragraph));
     std::string line;
     for (std::string word; words >> word;)
       for (const std::string& piece : pieces_of(word, font, room)) {
@@ -128,14 +124,13 @@ void draw_centred(Canvas& canvas, const std::string& text, const Font& font, con
 
 }  // namespace
 
-double draw_header(Canvas& canvas, const PlotHeader& given) {
+double draw_header(Canvas& canvas, const PlotHeader& header) {
   constexpr Colour note_grey{0.35, 0.35, 0.35};
   const double room = canvas.width() - 2.0 * margin;
-  PlotHeader header{readable(given.title), given.note, given.legend};
   // A label that is too wide in small letters, too, loses its beginning.
   const Font smallest{note_font.size / 2, note_font.bold};
-  for (LegendEntry& entry : header.legend)
-    entry.label = shortened(entry.label, smallest, room - sample_length - text_gap);
+  std::vector<LegendEntry> legend = header.legend;
+  for (LegendEntry& entry : legend) entry.label = shortened(entry.label, smallest, room - sample_length - text_gap);
   double y = canvas.height() - margin;
   for (const std::string& line : title_lines(header.title, room)) {
     draw_centred(canvas, line, title_font, ink, y);
@@ -145,7 +140,7 @@ double draw_header(Canvas& canvas, const PlotHeader& given) {
     draw_centred(canvas, line, note_font, note_grey, y);
     y -= 1.35 * note_font.size;
   }
-  for (const auto& entries : rows_of(header.legend, room)) {
+  for (const auto& entries : rows_of(legend, room)) {
     draw_row(canvas, entries, y - 0.5 * row);
     y -= row;
   }

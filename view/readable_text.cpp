@@ -21,9 +21,8 @@ Sequence decoded(std::string_view text) {
   if (bytes == 0 || bytes > text.size()) return {0, 0};
   char32_t letter = lead & (0x7fU >> bytes);
   for (std::size_t k = 1; k < bytes; ++k) {
-    const auto byte = static_cast<unsigned char>(text[k]);
-    if ((byte & 0xc0U) != 0x80U) return {0, 0};
-    letter = letter << 6U | (byte & 0x3fU);
+    if (!continues_letter(text[k])) return {0, 0};
+    letter = letter << 6U | (static_cast<unsigned char>(text[k]) & 0x3fU);
   }
   const bool overlong = (bytes == 3 && letter < 0x800) || (bytes == 4 && letter < 0x10000);
   const bool surrogate = letter >= 0xd800 && letter < 0xe000;

@@ -10,6 +10,11 @@ namespace lrcs {
 // check: tests/view/readable_text_test.cpp
 [[nodiscard]] std::string readable(const std::string& text);
 
+// Whether the byte is a later one of a letter of UTF-8: text is not cut before it.
+[[nodiscard]] inline bool continues_letter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
 // Its code points. domain: UTF-8.
 [[nodiscard]] std::u32string letters_of(const std::string& utf8);
 

@@ -8,7 +8,7 @@ std::string shortened(const std::string& text, const Font& font, double room) {
   std::string shown = readable(text);
   if (text_size(shown, font).width <= room) return shown;
   const auto end_from = [&](std::size_t from) {
-    while (from < shown.size() && (static_cast<unsigned char>(shown[from]) & 0xc0U) == 0x80U) ++from;
+    while (from < shown.size() && continues_letter(shown[from])) ++from;
     return "…" + shown.substr(from);
   };
   std::size_t low = 0, high = shown.size();  // too long from the one on, not from the other

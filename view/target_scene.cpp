@@ -75,8 +75,7 @@ void set_lines(vtkActor* actor, vtkPolyData* triangles, const Colour& colour, do
 struct Arrow {
   vtkNew<vtkActor> body;
   vtkNew<vtkBillboardTextActor3D> name;
-  Vec3 tip = Vec3::Zero(), direction = Vec3::UnitX();
-  double length = 0.0;
+  Vec3 tail = Vec3::Zero(), tip = Vec3::Zero();
 
   explicit Arrow(const Colour& colour) {
     vtkNew<vtkArrowSource> source;
@@ -101,10 +100,9 @@ struct Arrow {
     name->GetTextProperty()->SetVerticalJustificationToCentered();
   }
   // name_beyond: from the tip to the name.
-  void set(const Vec3& from, const Vec3& toward, double its_length, double name_beyond, const char* text) {
-    const Vec3 d = toward.normalized();
-    direction = d;
-    length = its_length;
+  void set(const Vec3& from, const Vec3& direction, double length, double name_beyond, const char* text) {
+    const Vec3 d = direction.normalized();
+    tail = from;
     tip = from + length * d;
     const Vec3 across = (std::abs(d.z()) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)).cross(d).normalized();
     const Vec3 third = d.cross(across);
@@ -206,9 +204,9 @@ struct TargetScene::Hidden {
     };
     const auto named = [&](const Arrow& arrow) -> NamedArrow {
       const int letters = arrow.name->GetTextProperty()->GetFontSize();
-      return {on_screen(arrow.tip - arrow.length * arrow.direction), on_screen(arrow.tip),
+      return {on_screen(arrow.tail), on_screen(arrow.tip),
               0.5 * text_size(arrow.name->GetInput(), {letters, true}).width + 0.1 * letters, 0.6 * letters,
-              pixels_a_metre * tip_radius * arrow.length + 0.2 * letters};
+              pixels_a_metre * tip_radius * (arrow.tip - arrow.tail).norm() + 0.2 * letters};
     };
     const auto is_shown = [](const Arrow& arrow) { return arrow.name->GetVisibility() != 0; };
     // One that is not shown is in nobody's way.

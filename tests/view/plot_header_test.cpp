@@ -15,6 +15,8 @@ TEST(PlotHeader, BreaksANoteAtItsLineBreaks) {
   EXPECT_GT(one, none);
   EXPECT_DOUBLE_EQ(height_of({"title", "note\nnote", {}}) - one, one - none);
   EXPECT_DOUBLE_EQ(height_of({"title", "\nnote\n", {}}), one);
+  const double two_titles = height_of({"title\ntitle", "", {}}) - none;
+  EXPECT_DOUBLE_EQ(two_titles, none - height_of({"", "", {}}));
 }
 
 TEST(PlotHeader, BreaksANoteBetweenWordsWhereItIsTooWide) {
