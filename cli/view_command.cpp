@@ -27,7 +27,7 @@ namespace lrcs {
 namespace {
 
 struct Options {
-  std::string input, png, size = "1600x900", colour = "contribution", scale = "dB", per = "area";
+  std::string input, png, size = "1600x1200", colour = "contribution", scale = "dB", per = "area";
   std::int64_t aspect = 0;
   double range = 40.0;
 };
@@ -121,7 +121,7 @@ void add_view_command(CLI::App& app, Common& common) {
   CLI::App* verb = app.add_subcommand("view", "Shows which facets the return comes from, row by row of a sweep");
   verb->add_option("input", options->input, "Folder that lrcs sweep wrote, or SCENE.yaml")->required();
   verb->add_option("--png", options->png, "Draws a picture into this file instead of opening a window");
-  verb->add_option("--size", options->size, "Of the picture: WIDTHxHEIGHT [pixel] (default 1600x900)");
+  verb->add_option("--size", options->size, "Of the picture: WIDTHxHEIGHT [pixel] (default 1600x1200)");
   verb->add_option("--aspect", options->aspect, "Row of the sweep to begin with, from 0 (default 0)");
   verb->add_option("--colour", options->colour, "What colours show (default contribution)")
       ->check(CLI::IsMember({"contribution", "seen", "incidence", "material", "part"}));

@@ -47,6 +47,6 @@ $lrcs report "$work/as1" -o "$work/as1.html" -q
 if command -v chromium >/dev/null; then
   chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --disable-quic \
     --no-first-run --disable-background-networking --disable-component-update --disable-sync --hide-scrollbars \
-    --user-data-dir="$work/browser" --window-size=1440,1750 --virtual-time-budget=20000 \
+    --user-data-dir="$work/browser" --window-size=760,1850 --force-device-scale-factor=2 --virtual-time-budget=20000 \
     --screenshot="$PWD/$out/report.png" "file://$work/as1.html" >/dev/null 2>&1
 fi

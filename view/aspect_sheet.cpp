@@ -16,8 +16,13 @@ namespace {
 
 constexpr Colour picked_red{0.84, 0.1, 0.1};
 
-std::string degrees(double azimuth_deg, double elevation_deg) {
-  return "azimuth " + number_label(azimuth_deg, 6) + "°, elevation " + number_label(elevation_deg, 6) + "°";
+// Widths, of the sheet's: where the target ends, and where curve and table begin. Between them is the colour bar.
+constexpr double target_end = 0.445, curve_begin = 0.60;
+
+// Letters are small beside a pair of directions: words are short there.
+std::string degrees(double azimuth_deg, double elevation_deg, bool is_short) {
+  return (is_short ? "az " : "azimuth ") + number_label(azimuth_deg, 6) + (is_short ? "°, el " : "°, elevation ") +
+         number_label(elevation_deg, 6) + "°";
 }
 
 std::string dbsm_words(double sigma_m2) {
@@ -27,16 +32,17 @@ std::string dbsm_words(double sigma_m2) {
 std::string aspect_words(const FacetResult& r) {
   const bool is_monostatic =
       r.transmitter_azimuth_deg == r.receiver_azimuth_deg && r.transmitter_elevation_deg == r.receiver_elevation_deg;
-  const std::string receiver = degrees(r.receiver_azimuth_deg, r.receiver_elevation_deg);
+  const std::string receiver = degrees(r.receiver_azimuth_deg, r.receiver_elevation_deg, !is_monostatic);
   if (is_monostatic) return "monostatic, " + receiver;
-  return "transmitter " + degrees(r.transmitter_azimuth_deg, r.transmitter_elevation_deg) + "; receiver " + receiver;
+  return "transmitter " + degrees(r.transmitter_azimuth_deg, r.transmitter_elevation_deg, true) + "; receiver " +
+         receiver;
 }
 
 // A sweep may be sampled; its facets are not.
 std::string sampled_words(double sigma_m2, double facets_m2) {
   constexpr double same = 1e-9;
   if (std::abs(sigma_m2 - facets_m2) <= same * facets_m2) return "";
-  return "; facets, exactly: " + number_label(facets_m2, 6) + " m²";
+  return "sampled; facets, exactly: " + number_label(facets_m2, 6) + " m²";
 }
 
 bool holds(const Box& box, const Point& p) {
@@ -55,19 +61,20 @@ Font AspectSheet::font(double size, bool bold) const {
 }
 
 int AspectSheet::letters() const {
-  return font(20.0).size;
+  return font(28.0).size;
 }
 
 Box AspectSheet::target() const {
-  return {{0.0, std::floor(70.0 * unit_)}, {std::floor(0.50 * width_), std::floor(height_ - 100.0 * unit_)}};
+  return {{0.0, std::floor(84.0 * unit_)}, {std::floor(target_end * width_), std::floor(height_ - 172.0 * unit_)}};
 }
 
 Box AspectSheet::curve_box() const {
-  return {{std::ceil(0.61 * width_), std::ceil(0.50 * height_)}, {width_, height_}};
+  const double height = std::max(380.0 * unit_, 0.38 * height_);
+  return {{std::ceil(curve_begin * width_), std::ceil(height_ - height)}, {width_, height_}};
 }
 
 Box AspectSheet::table_box() const {
-  return {{0.63 * width_, 80.0 * unit_}, {width_ - 24.0 * unit_, 0.48 * height_}};
+  return {{curve_box().low.x + 24.0 * unit_, 84.0 * unit_}, {width_ - 24.0 * unit_, curve_box().low.y - 16.0 * unit_}};
 }
 
 Box AspectSheet::slider_box() const {
@@ -77,13 +84,16 @@ Box AspectSheet::slider_box() const {
 const AspectSheet::Plot& AspectSheet::plot_of(std::size_t cut) {
   if (plot_ && plot_->cut == cut) return *plot_;
   const Box box = curve_box();
-  const int fine = std::max(1, static_cast<int>(std::lround(2.0 / unit_)));
-  Canvas canvas(fine * static_cast<int>(box.high.x - box.low.x), fine * static_cast<int>(box.high.y - box.low.y));
+  constexpr double letters = 0.8;  // of those of a plot
+  const double magnification = letters * unit_;
+  Canvas canvas(static_cast<int>(box.high.x - box.low.x), static_cast<int>(box.high.y - box.low.y), Recording::none,
+                magnification);
   const Curve& curve = sweep_.cuts[cut].curve;
   PlotText text = sweep_.axis;
-  text.title = sweep_.cuts.size() > 1 ? curve.label : "";
+  text.title = "";
+  if (sweep_.cuts.size() > 1) text.angle_axis += ", " + curve.label;
   const CartesianFrame frame = draw_sweep_plot(canvas, {curve}, text);
-  plot_ = Plot{cut, shrunk(canvas.picture(), fine), frame, fine};
+  plot_ = Plot{cut, canvas.picture(), frame, magnification};
   return *plot_;
 }
 
@@ -95,27 +105,29 @@ Point AspectSheet::on_curve(const ViewedSweep::Place& place) const {
   if (angle > frame.x.high) angle -= 360.0;
   const double dbsm = 10.0 * std::log10(curve.sigma_m2[place.point]);
   const Point at = frame.at(angle, std::max(dbsm, frame.y.low));
-  return {curve_box().low.x + at.x / plot_->fine, curve_box().low.y + at.y / plot_->fine};
+  return {curve_box().low.x + plot_->magnification * at.x, curve_box().low.y + plot_->magnification * at.y};
 }
 
 void AspectSheet::draw_words(Canvas& canvas, const AspectFacts& facts) const {
   const FacetResult& r = *facts.result;
-  const double room = 0.59 * width_;
+  const double room = curve_box().low.x - 40.0 * unit_;
   const auto line = [&](const std::string& text, double top, const Font& size, const Colour& colour) {
     canvas.text({20.0 * unit_, height_ - top * unit_}, text,
                 {.font = fitting(text, size, room), .colour = colour, .y = AlignY::top});
   };
-  line(sweep_.title, 14.0, font(22.0, true), ink);
-  line(aspect_words(r), 44.0, font(20.0), ink);
+  line(sweep_.title, 16.0, font(34.0, true), ink);
+  line(aspect_words(r), 60.0, font(30.0), ink);
   const double sigma = sweep_.sigma_m2[facts.row];
   line("LRCS " + number_label(sigma, 6) + " m² ± " + number_label(sweep_.bound_m2[facts.row], 2) + " m², " +
-           dbsm_words(sigma) + " dBsm" + sampled_words(sigma, r.sigma_total_m2),
-       72.0, font(20.0), ink);
-  double top = 108.0;
+           dbsm_words(sigma) + " dBsm",
+       100.0, font(30.0), ink);
+  const std::string sampled = sampled_words(sigma, r.sigma_total_m2);
+  line(sampled, 140.0, font(26.0), ink);
+  double top = sampled.empty() ? 140.0 : 172.0;
   for (const std::string& text : facts.picked) {
     canvas.text({20.0 * unit_, height_ - top * unit_}, text,
-                {.font = fitting(text, font(18.0), 0.45 * width_), .colour = picked_red, .y = AlignY::top});
-    top += 24.0;
+                {.font = fitting(text, font(24.0), room), .colour = picked_red, .y = AlignY::top});
+    top += 32.0;
   }
 }
 
@@ -123,10 +135,10 @@ void AspectSheet::draw_marker(Canvas& canvas, const AspectFacts& facts) const {
   const ViewedSweep::Place place = sweep_.places[facts.row];
   const Point at = on_curve(place);
   const Box box = curve_box();
-  const double low = box.low.y + plot_->frame.box.low.y / plot_->fine;
-  const double high = box.low.y + plot_->frame.box.high.y / plot_->fine;
-  canvas.line({{at.x, low}, {at.x, high}}, {curve_colour(1), 2.0 * unit_});
-  canvas.disc(at, 6.0 * unit_, curve_colour(1));
+  const double low = box.low.y + plot_->magnification * plot_->frame.box.low.y;
+  const double high = box.low.y + plot_->magnification * plot_->frame.box.high.y;
+  canvas.line({{at.x, low}, {at.x, high}}, {curve_colour(1), 3.0 * unit_});
+  canvas.disc(at, 10.0 * unit_, curve_colour(1));
 }
 
 void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
@@ -135,12 +147,13 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
   const auto& names = sweep_.mesh->part.names;
   const auto strongest = strongest_parts(facts.part_sigma, most);
   const double total = facts.result->sigma_total_m2;
-  const double row = (box.high.y - box.low.y) / (most + 3.0);
-  const Font plain = font(std::min(18.0, 0.62 * row / unit_)), bold{plain.size, true};
-  const double sigma_at = box.high.x - 185.0 * unit_, dbsm_at = box.high.x - 80.0 * unit_, share_at = box.high.x;
+  const double room = (box.high.y - box.low.y) / (static_cast<double>(std::min(most, names.size())) + 3.0);
+  const Font plain = font(std::min(30.0, 0.62 * room / unit_)), bold{plain.size, true};
+  const double row = std::min(room, 1.65 * plain.size);
+  const double share_at = box.high.x, dbsm_at = share_at - 3.0 * plain.size, sigma_at = dbsm_at - 4.3 * plain.size;
   const auto cells = [&](double y, const Font& size, const std::string& name, const std::string& sigma,
                          const std::string& dbsm, const std::string& share) {
-    canvas.text({box.low.x + 6.0 * unit_, y}, shortened(name, size, sigma_at - box.low.x - 120.0 * unit_),
+    canvas.text({box.low.x, y}, shortened(name, size, sigma_at - box.low.x - 5.0 * plain.size),
                 {.font = size, .y = AlignY::middle});
     const std::vector<std::pair<double, std::string>> numbers{{sigma_at, sigma}, {dbsm_at, dbsm}, {share_at, share}};
     for (const auto& [x, text] : numbers)
@@ -148,14 +161,14 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
   };
   table_rows_.clear();
   double y = box.high.y - 0.5 * row;
-  cells(y, bold, strongest.size() < most ? "parts that return" : "ten strongest parts", "LRCS [m²]", "[dBsm]", "[%]");
+  cells(y, bold, strongest.size() < most ? "returning parts" : "strongest parts", "LRCS [m²]", "[dBsm]", "[%]");
   canvas.line({{box.low.x, y - 0.5 * row}, {box.high.x, y - 0.5 * row}}, {ink, 1.5 * unit_});
   for (const std::uint32_t part : strongest) {
     y -= row;
     const double sigma = facts.part_sigma[part];
     table_rows_.push_back({{{box.low.x, y - 0.5 * row}, {box.high.x, y + 0.5 * row}}, part});
     if (facts.part == part) canvas.fill(table_rows_.back().first, {1.0, 0.88, 0.85});
-    cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 5), dbsm_words(sigma),
+    cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 4), dbsm_words(sigma),
           tick_label(100.0 * sigma / total, 0.1));
   }
   const auto returning = strongest_parts(facts.part_sigma, facts.part_sigma.size());
@@ -163,12 +176,12 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
     CompensatedSum rest;
     for (std::size_t k = strongest.size(); k < returning.size(); ++k) rest.add(facts.part_sigma[returning[k]]);
     y -= row;
-    cells(y, plain, others == 1 ? "1 other" : std::to_string(others) + " others", number_label(rest.value(), 5),
+    cells(y, plain, others == 1 ? "1 other" : std::to_string(others) + " others", number_label(rest.value(), 4),
           dbsm_words(rest.value()), tick_label(100.0 * rest.value() / total, 0.1));
   }
   y -= row;
   canvas.line({{box.low.x, y + 0.5 * row}, {box.high.x, y + 0.5 * row}}, {ink, 1.5 * unit_});
-  cells(y, bold, "all", number_label(total, 5), dbsm_words(total), total > 0.0 ? "100" : "−");
+  cells(y, bold, "all", number_label(total, 4), dbsm_words(total), total > 0.0 ? "100" : "−");
 }
 
 void AspectSheet::draw_slider(Canvas& canvas, const AspectFacts& facts) const {
@@ -179,19 +192,21 @@ void AspectSheet::draw_slider(Canvas& canvas, const AspectFacts& facts) const {
   canvas.line({{box.low.x, y}, {box.high.x, y}}, {grid_grey, 6.0 * unit_});
   canvas.disc({std::lerp(box.low.x, box.high.x, share), y}, 10.0 * unit_, curve_colour(0));
   canvas.text({box.low.x, box.high.y + 6.0 * unit_},
-              "row " + std::to_string(facts.row) + " of 0 to " + std::to_string(rows - 1), {.font = font(16.0)});
+              "row " + std::to_string(facts.row) + " of 0 to " + std::to_string(rows - 1), {.font = font(24.0)});
   if (facts.keys.empty()) return;
-  const double room = 0.8 * width_;
+  const double room = 0.78 * width_;
   canvas.text({box.high.x, box.high.y + 6.0 * unit_}, facts.keys,
-              {.font = fitting(facts.keys, font(16.0), room), .colour = {0.35, 0.35, 0.35}, .x = AlignX::right});
+              {.font = fitting(facts.keys, font(20.0), room), .colour = {0.35, 0.35, 0.35}, .x = AlignX::right});
 }
 
 Picture AspectSheet::drawn(const AspectFacts& facts) {
   Canvas canvas(static_cast<int>(width_), static_cast<int>(height_));
   const Plot& plot = plot_of(sweep_.places[facts.row].cut);
   canvas.paste(plot.picture, static_cast<int>(curve_box().low.x), static_cast<int>(curve_box().low.y));
-  draw_scale(canvas, {{0.535 * width_, target().low.y + 60.0 * unit_}, {0.55 * width_, target().high.y - 30.0 * unit_}},
-             curve_box().low.x - 0.505 * width_ - 16.0 * unit_, facts.scale, font(17.0));
+  const Font letters = font(30.0);
+  const double bar = target().high.x + 1.8 * letters.size;
+  draw_scale(canvas, {{bar, target().low.y + 3.0 * letters.size}, {bar + 24.0 * unit_, target().high.y - 40.0 * unit_}},
+             curve_box().low.x - target().high.x - 8.0 * unit_, facts.scale, letters);
   draw_words(canvas, facts);
   draw_marker(canvas, facts);
   draw_table(canvas, facts);

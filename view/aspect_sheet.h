@@ -42,8 +42,8 @@ class AspectSheet {
   struct Plot {
     std::size_t cut;
     Picture picture;
-    CartesianFrame frame;  // in the picture's pixels, before it was shrunk by `fine`
-    int fine;
+    CartesianFrame frame;  // in the picture's pixels over `magnification`
+    double magnification;
   };
   [[nodiscard]] Box curve_box() const;
   [[nodiscard]] Box table_box() const;

@@ -254,7 +254,7 @@ class AspectWindow {
       renderer->SetViewport(box.low.x / width_, box.low.y / height_, right / width_, top / height_);
     };
     set(view_.scene().renderer(), box.high.x, box.high.y);
-    const double side = 0.2 * (box.high.x - box.low.x);
+    const double side = TargetScene::axes_share * (box.high.x - box.low.x);
     set(view_.scene().axes(), box.low.x + side, box.low.y + side);
     draw();
   }

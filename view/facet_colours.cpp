@@ -30,10 +30,11 @@ ColouredFacets by_contribution(const FacetMesh& mesh, const FacetResult& result,
   const std::string what = showing.per_area ? "return per area" : "return per facet";
   const std::string unit = showing.per_area ? "m²/m²" : "m²";
   ColouredFacets coloured;
-  coloured.scale = {what + " [" + unit + "]", "", 0.0, brightest > 0.0 ? brightest : 1.0, false, {}, true};
+  coloured.scale = {what + " [" + unit + "]", 0.0, brightest > 0.0 ? brightest : 1.0, false, {}, true};
   if (showing.in_decibels) {
-    const std::string reference = brightest > 0.0 ? "0 dB: " + number_label(brightest, 3) + " " + unit : "no return";
-    coloured.scale = {what + " [dB re brightest]", reference, showing.darkest, 0.0, true, {}, true};
+    const std::string reference =
+        brightest > 0.0 ? " [dB re " + number_label(brightest, 3) + " " + unit + "]" : ": none";
+    coloured.scale = {what + reference, showing.darkest, 0.0, true, {}, true};
     for (double& value : values) value = 10.0 * std::log10(brightest > 0.0 ? value / brightest : 0.0);
   }
   coloured.colours = along_scale(values, result, coloured.scale);
@@ -45,7 +46,7 @@ ColouredFacets by_incidence(const FacetMesh& mesh, const FacetResult& result) {
   std::vector<double> angles;
   for (const Vec3& n : mesh.normals) angles.push_back(std::acos(std::min(1.0, std::abs(n.dot(di)))) / degree);
   ColouredFacets coloured;
-  coloured.scale = {"angle of incidence [deg]", "", 0.0, 90.0, false, {}, true};
+  coloured.scale = {"angle of incidence [deg]", 0.0, 90.0, false, {}, true};
   coloured.colours = along_scale(angles, result, coloured.scale);
   return coloured;
 }
@@ -62,7 +63,7 @@ ColouredFacets by_name(const std::string& title, const FacetMesh& mesh, const st
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
   std::vector<Colour> colour_of(names.size(), other);
   ColouredFacets coloured;
-  coloured.scale = {title, "", 0.0, 1.0, false, {}, false};
+  coloured.scale = {title, 0.0, 1.0, false, {}, false};
   for (std::size_t k = 0; k < std::min(told_apart, order.size()); ++k) {
     colour_of[order[k]] = curve_colour(k);
     coloured.scale.names.emplace_back(names[order[k]], curve_colour(k));
@@ -78,7 +79,7 @@ ColouredFacets coloured_facets(const FacetMesh& mesh, const FacetResult& result,
   switch (showing.quantity) {
     case FacetQuantity::seen_fraction: {
       ColouredFacets coloured;
-      coloured.scale = {"seen fraction of facet", "", 0.0, 1.0, false, {}, true};
+      coloured.scale = {"seen fraction of facet", 0.0, 1.0, false, {}, true};
       coloured.colours = along_scale(result.seen_fraction, result, coloured.scale);
       return coloured;
     }

@@ -22,8 +22,7 @@ struct FacetShowing {
 
 // What colours mean. quantity with a scale: viridis from low to high; else names, each with its colour.
 struct ColourScale {
-  std::string title;  // with its unit
-  std::string note;   // "0 dB: 3.21 m²/m²"; or ""
+  std::string title;  // with its unit, and what 0 dB stands for
   double low = 0.0, high = 1.0;
   bool is_open_below = false;  // low stands for less, too
   std::vector<std::pair<std::string, Colour>> names;

@@ -22,17 +22,22 @@ void draw_names(Canvas& canvas, const Box& bar, double room, const ColourScale& 
   }
 }
 
-void draw_marks(Canvas& canvas, const Box& bar, const ColourScale& scale, const Font& font) {
+// Both limits, whatever they are, and round values between that stand clear of them.
+void draw_marks(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
   const double span = scale.high - scale.low, height = bar.high.y - bar.low.y;
   const double step = span > 45.0 ? angle_step(span, 6) : nice_step(span, 6);
-  const double tick = 0.35 * font.size;
-  for (const double mark : multiples(scale.low, scale.high, step)) {
-    const double y = bar.low.y + height * (mark - scale.low) / span;
+  const double tick = 0.35 * font.size, clear = 1.3 * font.size * span / height;
+  const double right = bar.low.x - 1.8 * font.size + room;
+  const auto draw_mark = [&](double mark, const std::string& label) {
+    const double y = bar.low.y + height * (mark - scale.low) / span, x = bar.high.x + 1.8 * tick;
     canvas.line({{bar.high.x, y}, {bar.high.x + tick, y}}, {ink, 0.08 * font.size});
-    const bool is_lowest = mark - scale.low < 0.5 * step;
-    const std::string label = (scale.is_open_below && is_lowest ? "≤ " : "") + tick_label(mark, step);
-    canvas.text({bar.high.x + 1.8 * tick, y}, label, {.font = font, .y = AlignY::middle});
-  }
+    canvas.text({x, y}, label, {.font = fitting(label, font, right - x), .y = AlignY::middle});
+  };
+  constexpr double least = 1e-4;  // written out
+  const auto label = [&](double mark) { return step < least ? number_label(mark, 3) : tick_label(mark, step); };
+  for (const double mark : multiples(scale.low + clear, scale.high - clear, step)) draw_mark(mark, label(mark));
+  draw_mark(scale.high, number_label(scale.high, 3));
+  draw_mark(scale.low, (scale.is_open_below ? "≤ " : "") + number_label(scale.low, 3));
 }
 
 }  // namespace
@@ -41,12 +46,9 @@ void draw_scale(Canvas& canvas, const Box& bar, double room, const ColourScale& 
   if (scale.names.empty()) {
     draw_viridis(canvas, bar);
     canvas.frame(bar, {ink, 0.08 * font.size});
-    draw_marks(canvas, bar, scale, font);
+    draw_marks(canvas, bar, room, scale, font);
     canvas.text({bar.low.x - 0.6 * font.size, 0.5 * (bar.low.y + bar.high.y)}, scale.title,
                 {.font = fitting(scale.title, font, bar.high.y - bar.low.y), .x = AlignX::centre, .upward = true});
-    if (!scale.note.empty())
-      canvas.text({bar.low.x - 1.8 * font.size, bar.high.y + 0.8 * font.size}, scale.note,
-                  {.font = fitting(scale.note, font, room)});
   } else {
     draw_names(canvas, bar, room, scale, font);
   }

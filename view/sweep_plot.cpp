@@ -26,8 +26,10 @@ double as_given(double angle_deg, double largest_given, double first_deg) {
   return turned ? angle_deg - 360.0 : angle_deg;
 }
 
-Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, const std::string& title) {
+// width: of the plot [pixel].
+Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, const std::string& title, double width) {
   constexpr double room_about_one_angle = 5.0;  // [deg]
+  constexpr double most_marks = 12.0, room_a_mark = 130.0;
   Axis axis{title, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}, false};
   for (const auto& cut : drawing.cuts) {
     for (const CutPoint& point : cut) {
@@ -40,7 +42,8 @@ Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, con
     axis.low -= room_about_one_angle;
     axis.high += room_about_one_angle;
   }
-  const double step = angle_step(axis.high - axis.low, 12);
+  const double marks = std::clamp(width / room_a_mark, 2.0, most_marks);
+  const double step = angle_step(axis.high - axis.low, static_cast<int>(marks));
   axis.marks = multiples(axis.low, axis.high, step);
   for (const double mark : axis.marks) {
     axis.labels.push_back(tick_label(as_given(mark, largest_angle(curves), axis.low), step));
@@ -48,9 +51,13 @@ Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, con
   return axis;
 }
 
-Axis decibel_axis(const DecibelRange& range) {
-  Axis axis{"LRCS [dBsm]", range.low, range.high, multiples(range.low, range.high, range.step), {}, false};
-  for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, range.step));
+// height: of the plot [pixel].
+Axis decibel_axis(const DecibelRange& range, double height) {
+  constexpr double room_a_mark = 90.0;
+  const int most_marks = std::max(1, static_cast<int>(height / room_a_mark));
+  const double step = std::max(range.step, nice_step(range.high - range.low, most_marks));
+  Axis axis{"LRCS [dBsm]", range.low, range.high, multiples(range.low, range.high, step), {}, false};
+  for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, step));
   return axis;
 }
 
@@ -71,8 +78,8 @@ double least_span(const std::vector<Curve>& curves) {
 CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
   const CutDrawing drawing = cut_drawing(curves, text, least_span(curves), 0.7 * canvas.height());
   const double top = draw_header(canvas, drawing.header);
-  CartesianFrame frame =
-      draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis), decibel_axis(drawing.range));
+  CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis, canvas.width()),
+                                              decibel_axis(drawing.range, canvas.height()));
   const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
   draw_bands(canvas, drawing, map, true);
   draw_floor_ticks(canvas, drawing, map);

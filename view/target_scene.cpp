@@ -171,8 +171,8 @@ struct TargetScene::Hidden {
   void set_axes() {
     const std::array<const char*, 3> names{"x", "y", "z"};
     for (std::size_t k = 0; k < 3; ++k) {
-      arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, 0.28, names[k]);
-      arrows[k].add_to(axes);
+      axis_arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, 0.34, names[k]);
+      axis_arrows[k].add_to(axes);
     }
     axes->SetLayer(2);
     axes->InteractiveOff();
@@ -191,6 +191,24 @@ struct TargetScene::Hidden {
     camera->SetViewUp(up.data());
     camera->SetParallelScale(1.6);
     camera->SetClippingRange(5.0, 15.0);
+    part_names_of_axes(Vec3(direction.data()).cross(Vec3(up.data())), Vec3(up.data()));
+  }
+
+  // Names of axes that fall on one another go to either side.
+  void part_names_of_axes(const Vec3& right, const Vec3& up) {
+    const int letters = axis_arrows[0].name->GetTextProperty()->GetFontSize();
+    const double pixels_a_unit = 0.5 * axes->GetSize()[1] / axes->GetActiveCamera()->GetParallelScale();
+    std::array<Point, 3> at;
+    std::array<int, 3> aside{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 name = pixels_a_unit * Vec3(axis_arrows[k].name->GetPosition());
+      at[k] = {name.dot(right), name.dot(up)};
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t other = 0; other < 3; ++other)
+        if (other != k && std::hypot(at[k].x - at[other].x, at[k].y - at[other].y) < letters)
+          aside[k] = at[k].x < at[other].x || (at[k].x == at[other].x && k < other) ? -letters / 2 : letters / 2;
+    for (std::size_t k = 0; k < 3; ++k) axis_arrows[k].name->SetDisplayOffset(aside[k], 0);
   }
 
   void place_names() {
@@ -214,7 +232,11 @@ struct TargetScene::Hidden {
     const Arrow& second = is_shown(transmitter) ? transmitter : sensor;
     const std::array<NamedArrow, 2> arrows{named(first), named(second)};
     const auto places = places_of_names(arrows, {{0.0, 0.0}, {2.0 * middle.x, 2.0 * middle.y}});
-    const auto put = [](const Arrow& arrow, const Point& tip, const Point& place) {
+    // Before all of the target: in a parallel projection a name stays where it is as it comes nearer.
+    const Vec3 away(camera->GetDirectionOfProjection());
+    const auto put = [&](const Arrow& arrow, const Point& tip, const Point& place) {
+      const Vec3 at = arrow.tip - std::max(0.0, radius + away.dot(arrow.tip - centre)) * away;
+      arrow.name->SetPosition(at.x(), at.y(), at.z());
       arrow.name->SetDisplayOffset(static_cast<int>(std::lround(place.x - tip.x)),
                                    static_cast<int>(std::lround(place.y - tip.y)));
     };
@@ -238,7 +260,7 @@ struct TargetScene::Hidden {
   vtkNew<vtkUnsignedCharArray> rgb;
   vtkNew<vtkActor> facets, creases, part;
   Arrow sensor{ink}, transmitter{curve_colour(1)};
-  std::array<Arrow, 3> arrows{Arrow(curve_colour(1)), Arrow(curve_colour(2)), Arrow(curve_colour(0))};
+  std::array<Arrow, 3> axis_arrows{Arrow(curve_colour(1)), Arrow(curve_colour(2)), Arrow(curve_colour(0))};
   vtkNew<vtkRenderer> renderer, axes;
   vtkNew<vtkCallbackCommand> follow;
 };
@@ -316,8 +338,8 @@ std::optional<std::uint32_t> TargetScene::facet_at(double x, double y) const {
 }
 
 void TargetScene::set_letters(int letters) {
-  for (const Arrow* arrow :
-       {&hidden_->sensor, &hidden_->transmitter, &hidden_->arrows[0], &hidden_->arrows[1], &hidden_->arrows[2]})
+  for (const Arrow* arrow : {&hidden_->sensor, &hidden_->transmitter, &hidden_->axis_arrows[0],
+                             &hidden_->axis_arrows[1], &hidden_->axis_arrows[2]})
     arrow->name->GetTextProperty()->SetFontSize(letters);
 }
 
@@ -334,7 +356,7 @@ Picture TargetScene::picture(int width, int height, int letters) {
   set_letters(fine * letters);
   hidden_->creases->GetProperty()->SetLineWidth(static_cast<float>(1.6 * fine));
   hidden_->part->GetProperty()->SetLineWidth(static_cast<float>(3.0 * fine));
-  hidden_->axes->SetViewport(0.0, 0.0, 0.2, 0.2 * width / height);
+  hidden_->axes->SetViewport(0.0, 0.0, axes_share, axes_share * width / height);
   hidden_->axes->SetLayer(1);
   return shrunk(drawn_offscreen({hidden_->renderer, hidden_->axes}, fine * width, fine * height), fine);
 }

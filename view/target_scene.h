@@ -43,6 +43,8 @@ class TargetScene {
   // letters: their height [pixel].
   void set_letters(int letters);
   // For a window of ours: the target; and the axes, to be laid over it.
+  // The axes stand in the lower left corner, in a square: its side, of the window's width.
+  static constexpr double axes_share = 0.26;
   [[nodiscard]] vtkRenderer* renderer() const;
   [[nodiscard]] vtkRenderer* axes() const;
   // Drawn without a window. error: std::runtime_error, one line, where no 3-D picture can be drawn.

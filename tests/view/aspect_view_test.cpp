@@ -68,6 +68,33 @@ TEST(AspectView, ShowsAllOfATargetHoweverTheRoomIsShaped) {
   }
 }
 
+// Heights of the lines of letters in the upper left, from the top [pixel].
+std::vector<int> line_heights(const Picture& picture) {
+  std::vector<int> heights;
+  bool inside = false;
+  for (int row = picture.height - 1; row > picture.height - picture.width / 10; --row) {
+    bool inked = false;
+    for (int column = 0; column < picture.width / 3; ++column) inked |= !is_white(picture, column, row);
+    if (inked && !inside) heights.push_back(0);
+    if (inked) ++heights.back();
+    inside = inked;
+  }
+  return heights;
+}
+
+// At a quarter of its size, in a column of a paper, a letter still has six pixels from top to tail.
+TEST(AspectView, HasLettersThatCanBeReadAtAQuarterOfItsSize) {
+  const FacetMesh mesh = rod();
+  const ViewedSweep sweep = sweep_of(mesh);
+  AspectView view(sweep, [&](std::size_t row) { return result_of(mesh, row); });
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1600, 1200}, {1600, 900}, {3200, 1800}}) {
+    const auto heights = line_heights(view.picture(width, height));
+    ASSERT_EQ(heights.size(), 3U) << width;  // title, aspect, LRCS
+    for (const int line : heights) EXPECT_GE(line, 24 * width / 1600) << width;
+    EXPECT_GE(view.sheet().letters(), 28 * width / 1600);
+  }
+}
+
 TEST(AspectView, TellsOfAFacetAndItsPartWhatTheyReturnInItsRow) {
   const FacetMesh mesh = rod();
   const ViewedSweep sweep = sweep_of(mesh);

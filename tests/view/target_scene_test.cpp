@@ -1,6 +1,7 @@
 #include "view/target_scene.h"
 
 #include <gtest/gtest.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <utility>
@@ -41,6 +42,19 @@ TEST(TargetScene, KeepsNamesOfArrowsApart) {
     EXPECT_GT(all, 50);
     EXPECT_GT(letters_of(both, of_transmitter), 0.9 * all) << angle_deg << " " << elevation_deg;
   }
+}
+
+// Of an arrow behind the target, too, as after the window's own fitting of depths.
+TEST(TargetScene, DrawsNamesBeforeTheTarget) {
+  const TwoPlates plates = two_plates();
+  TargetScene scene(plates.mesh);
+  scene.colour(std::vector<Colour>(plates.mesh.size(), unseen_grey));
+  const Vec3 toward_viewer = direction_of({20.0, 10.0});
+  scene.point_at(-direction_of({45.0, 10.0}), direction_of({80.0, 10.0}));
+  scene.look_from(toward_viewer);
+  EXPECT_GT(letters_of(scene.picture(400, 350, 14), curve_colour(1)), 50);
+  scene.renderer()->ResetCameraClippingRange();
+  EXPECT_GT(letters_of(scene.picture(400, 350, 14), curve_colour(1)), 50);
 }
 
 }  // namespace
