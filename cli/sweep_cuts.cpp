@@ -31,6 +31,21 @@ std::vector<ViewedCut> cuts_along(const std::vector<SweepRow>& rows, double Aspe
   return cuts;
 }
 
+// Azimuths that reach across 0 deg, from 340 to 20, run from -20 to 20: a curve is not drawn across what nobody
+// computed.
+void join_across_nose(ViewedCut& cut) {
+  constexpr double half_turn = 180.0, turn = 360.0;  // [deg]
+  std::vector<double>& angles = cut.curve.angle_deg;
+  if (angles.empty() || angles.back() - angles.front() >= turn) return;
+  const auto wide =
+      std::adjacent_find(angles.begin(), angles.end(), [&](double a, double b) { return b - a > half_turn; });
+  if (wide == angles.end()) return;
+  const auto first = wide + 1 - angles.begin();
+  std::for_each(wide + 1, angles.end(), [&](double& angle) { angle -= turn; });
+  const auto begin_with = [&](auto& values) { std::rotate(values.begin(), values.begin() + first, values.end()); };
+  begin_with(angles), begin_with(cut.curve.sigma_m2), begin_with(cut.curve.bound_m2), begin_with(cut.rows);
+}
+
 std::size_t longest(const std::vector<ViewedCut>& cuts) {
   std::size_t most = 0;
   for (const ViewedCut& cut : cuts) most = std::max(most, cut.rows.size());
@@ -58,8 +73,10 @@ std::vector<Curve> Cuts::curves(std::size_t most, std::size_t* left_out) const {
 }
 
 Cuts azimuth_cuts(const std::vector<SweepRow>& rows) {
-  return {cuts_along(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation"), "azimuth [deg]",
-          CutAngle::azimuth};
+  Cuts cuts{cuts_along(rows, &AspectAngles::elevation_deg, &AspectAngles::azimuth_deg, "elevation"), "azimuth [deg]",
+            CutAngle::azimuth};
+  for (ViewedCut& cut : cuts.cuts) join_across_nose(cut);
+  return cuts;
 }
 
 Cuts elevation_cuts(const std::vector<SweepRow>& rows) {
@@ -77,7 +94,8 @@ Cuts cuts_of_all(const std::vector<SweepRow>& rows) {
   Cuts cuts = cuts_of(rows);
   std::size_t on_cuts = 0;
   for (const ViewedCut& cut : cuts.cuts) on_cuts += cut.rows.size();
-  return on_cuts < rows.size() ? row_cut(rows) : cuts;
+  const bool is_scattered = rows.size() > 1 && 2 * cuts.cuts.size() > rows.size();
+  return on_cuts < rows.size() || is_scattered ? row_cut(rows) : cuts;
 }
 
 ViewedSweep viewed_sweep(const std::vector<SweepRow>& rows, const FacetMesh& mesh, std::string title) {

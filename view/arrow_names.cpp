@@ -51,7 +51,7 @@ std::vector<Point> candidates(const NamedArrow& arrow) {
 
 }  // namespace
 
-std::array<Point, 2> places_of_names(const std::array<NamedArrow, 2>& arrows, const Box& frame) {
+std::array<Point, 2> places_of_names(const std::array<NamedArrow, 2>& arrows, const Box& frame, const Box& taken) {
   // Of one name alone.
   const auto trouble = [&](const NamedArrow& arrow, const Box& box) {
     int count = 0;
@@ -62,7 +62,7 @@ std::array<Point, 2> places_of_names(const std::array<NamedArrow, 2>& arrows, co
       return &other != &arrow && boxes_meet(box, {{other.tip.x - other.clearance, other.tip.y - other.clearance},
                                                   {other.tip.x + other.clearance, other.tip.y + other.clearance}});
     });
-    return count + (is_inside ? 0 : 4) + (is_on_tip ? 1 : 0);
+    return count + (is_inside ? 0 : 4) + (is_on_tip ? 1 : 0) + (boxes_meet(box, taken) ? 1 : 0);
   };
   std::array<Point, 2> best{};
   int least = std::numeric_limits<int>::max();

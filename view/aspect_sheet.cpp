@@ -19,7 +19,7 @@ constexpr Colour picked_red{0.84, 0.1, 0.1};
 // Widths, of the sheet's: where the target ends, and where curve and table begin. Between them is the colour bar.
 constexpr double target_end = 0.445, curve_begin = 0.60;
 
-// Letters are small beside a pair of directions: words are short there.
+// Short: in a pair of directions, for the line to keep its large letters.
 std::string degrees(double azimuth_deg, double elevation_deg, bool is_short) {
   return (is_short ? "az " : "azimuth ") + number_label(azimuth_deg, 6) + (is_short ? "°, el " : "°, elevation ") +
          number_label(elevation_deg, 6) + "°";
@@ -138,7 +138,11 @@ void AspectSheet::draw_marker(Canvas& canvas, const AspectFacts& facts) const {
   const double low = box.low.y + plot_->magnification * plot_->frame.box.low.y;
   const double high = box.low.y + plot_->magnification * plot_->frame.box.high.y;
   canvas.line({{at.x, low}, {at.x, high}}, {curve_colour(1), 3.0 * unit_});
-  canvas.disc(at, 10.0 * unit_, curve_colour(1));
+  const double size = 10.0 * unit_;
+  if (sweep_.sigma_m2[facts.row] >= std::pow(10.0, 0.1 * plot_->frame.y.low))
+    canvas.disc(at, size, curve_colour(1));
+  else  // lies lower than the plot
+    canvas.area({{at.x - size, at.y + size}, {at.x + size, at.y + size}, {at.x, at.y - size}}, curve_colour(1), 1.0);
 }
 
 void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
@@ -148,27 +152,33 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
   const auto strongest = strongest_parts(facts.part_sigma, most);
   const double total = facts.result->sigma_total_m2;
   const double room = (box.high.y - box.low.y) / (static_cast<double>(std::min(most, names.size())) + 3.0);
-  const Font plain = font(std::min(30.0, 0.62 * room / unit_)), bold{plain.size, true};
+  // Units can be read where ten parts leave small letters only.
+  const Font plain = font(std::min(30.0, 0.62 * room / unit_)), bold{std::max(plain.size, font(25.0).size), true};
   const double row = std::min(room, 1.65 * plain.size);
-  const double share_at = box.high.x, dbsm_at = share_at - 3.0 * plain.size, sigma_at = dbsm_at - 4.3 * plain.size;
-  const auto cells = [&](double y, const Font& size, const std::string& name, const std::string& sigma,
-                         const std::string& dbsm, const std::string& share) {
-    canvas.text({box.low.x, y}, shortened(name, size, sigma_at - box.low.x - 5.0 * plain.size),
-                {.font = size, .y = AlignY::middle});
+  const double share_at = box.high.x, dbsm_at = share_at - 3.0 * bold.size, sigma_at = dbsm_at - 4.3 * bold.size;
+  const double name_room = sigma_at - box.low.x - 5.0 * bold.size;
+  const auto cells = [&](double y, const Font& size, const std::string& name, const Font& of_name,
+                         const std::string& sigma, const std::string& dbsm, const std::string& share) {
+    canvas.text({box.low.x, y}, name, {.font = of_name, .y = AlignY::middle});
     const std::vector<std::pair<double, std::string>> numbers{{sigma_at, sigma}, {dbsm_at, dbsm}, {share_at, share}};
     for (const auto& [x, text] : numbers)
       canvas.text({x, y}, text, {.font = size, .x = AlignX::right, .y = AlignY::middle});
   };
   table_rows_.clear();
   double y = box.high.y - 0.5 * row;
-  cells(y, bold, strongest.size() < most ? "returning parts" : "strongest parts", "LRCS [m²]", "[dBsm]", "[%]");
+  const std::string heading = strongest.size() < most ? "returning parts" : "strongest parts";
+  cells(y, bold, heading, fitting(heading, bold, name_room), "LRCS [m²]", "[dBsm]", "[%]");
   canvas.line({{box.low.x, y - 0.5 * row}, {box.high.x, y - 0.5 * row}}, {ink, 1.5 * unit_});
-  for (const std::uint32_t part : strongest) {
+  std::vector<std::string> shown_names;
+  for (const std::uint32_t part : strongest) shown_names.push_back(names[part].empty() ? "(no name)" : names[part]);
+  const ShortenedTexts shown = shortened_apart(shown_names, plain, name_room);
+  for (std::size_t k = 0; k < strongest.size(); ++k) {
+    const std::uint32_t part = strongest[k];
     y -= row;
     const double sigma = facts.part_sigma[part];
     table_rows_.push_back({{{box.low.x, y - 0.5 * row}, {box.high.x, y + 0.5 * row}}, part});
     if (facts.part == part) canvas.fill(table_rows_.back().first, {1.0, 0.88, 0.85});
-    cells(y, plain, names[part].empty() ? "(no name)" : names[part], number_label(sigma, 4), dbsm_words(sigma),
+    cells(y, plain, shown.texts[k], shown.font, number_label(sigma, 4), dbsm_words(sigma),
           tick_label(100.0 * sigma / total, 0.1));
   }
   const auto returning = strongest_parts(facts.part_sigma, facts.part_sigma.size());
@@ -176,12 +186,13 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
     CompensatedSum rest;
     for (std::size_t k = strongest.size(); k < returning.size(); ++k) rest.add(facts.part_sigma[returning[k]]);
     y -= row;
-    cells(y, plain, others == 1 ? "1 other" : std::to_string(others) + " others", number_label(rest.value(), 4),
+    cells(y, plain, others == 1 ? "1 other" : std::to_string(others) + " others", plain, number_label(rest.value(), 4),
           dbsm_words(rest.value()), tick_label(100.0 * rest.value() / total, 0.1));
   }
   y -= row;
   canvas.line({{box.low.x, y + 0.5 * row}, {box.high.x, y + 0.5 * row}}, {ink, 1.5 * unit_});
-  cells(y, bold, "all", number_label(total, 4), dbsm_words(total), total > 0.0 ? "100" : "−");
+  const Font sum{plain.size, true};
+  cells(y, sum, "all", sum, number_label(total, 4), dbsm_words(total), total > 0.0 ? "100.0" : "−");
 }
 
 void AspectSheet::draw_slider(Canvas& canvas, const AspectFacts& facts) const {

@@ -46,7 +46,7 @@ void AspectView::show(const FacetShowing& showing) {
 
 void AspectView::colour() {
   ColouredFacets coloured = coloured_facets(*sweep_.mesh, result_, showing_);
-  scene_.colour(coloured.colours);
+  scene_.colour(coloured.colours, !coloured.scale.names.empty());
   scale_ = std::move(coloured.scale);
 }
 

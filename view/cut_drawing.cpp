@@ -86,7 +86,7 @@ CutDrawing cut_drawing(const std::vector<Curve>& curves, const PlotText& text, d
   constexpr double least_band = 4.0;  // that shows beside a thin line [pixel]
   if (curves.empty()) throw std::invalid_argument("a plot needs at least one curve");
   CutDrawing drawing;
-  for (const Curve& curve : curves) drawing.cuts.push_back(cut_points(curve));
+  for (const Curve& curve : curves) drawing.cuts.push_back(cut_points(curve, text.angle != CutAngle::other));
   drawing.range = decibel_range(drawing.cuts, least_span, text.floor_dbsm);
   for (std::size_t i = 0; i < drawing.cuts.size(); ++i)
     keep_wide_band(drawing.cuts[i], least_band * (drawing.range.high - drawing.range.low) / length);

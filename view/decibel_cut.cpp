@@ -106,7 +106,7 @@ CutPoint crossing(const CutPoint& a, const CutPoint& b, double floor) {
 
 }  // namespace
 
-std::vector<CutPoint> cut_points(const Curve& curve) {
+std::vector<CutPoint> cut_points(const Curve& curve, bool goes_round) {
   require_valid(curve);
   std::vector<CutPoint> cut;
   for (std::size_t i = 0; i < curve.angle_deg.size(); ++i) {
@@ -114,8 +114,12 @@ std::vector<CutPoint> cut_points(const Curve& curve) {
     cut.push_back(
         {curve.angle_deg[i], decibels(sigma), decibels(std::max(0.0, sigma - bound)), decibels(sigma + bound)});
   }
-  cut = in_order(cut);
-  close_where_all_around(cut);
+  if (goes_round) {
+    cut = in_order(cut);
+    close_where_all_around(cut);
+  } else {
+    std::stable_sort(cut.begin(), cut.end(), lower_angle);
+  }
   return cut;
 }
 

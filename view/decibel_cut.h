@@ -17,10 +17,11 @@ struct CutPoint {
 };
 
 // The curve's directions in the order in which to join them.
+// goes_round: the angles are azimuths or elevations; else they are as given, in rising order.
 // value: angles that run one way stay as they are; angles that do so once turns of 360 deg are added (350, 0, 10)
 //   get them; any others are sorted. A curve that goes all around gets its first point again, one turn on.
 // domain: as Curve; else std::invalid_argument that names the curve.
-[[nodiscard]] std::vector<CutPoint> cut_points(const Curve& curve);
+[[nodiscard]] std::vector<CutPoint> cut_points(const Curve& curve, bool goes_round = true);
 
 // The dBsm that a plot spans. shape: low < high, whole multiples of step; a low that was asked for is as asked.
 // floor_used: something lies below low, and is not drawn. all_zero: nothing lies above minus infinity.

@@ -15,7 +15,7 @@ std::vector<Colour> along_scale(const std::vector<double>& values, const FacetRe
                                 const ColourScale& scale) {
   std::vector<Colour> colours;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double height = (values[i] - scale.low) / (scale.high - scale.low);
+    const double height = scale.high > scale.low ? (values[i] - scale.low) / (scale.high - scale.low) : 0.0;
     const bool is_seen = result.seen_fraction[i] > 0.0;
     colours.push_back(is_seen ? viridis(std::clamp(height, 0.0, 1.0)) : unseen_grey);
   }
@@ -30,12 +30,14 @@ ColouredFacets by_contribution(const FacetMesh& mesh, const FacetResult& result,
   const std::string what = showing.per_area ? "return per area" : "return per facet";
   const std::string unit = showing.per_area ? "m²/m²" : "m²";
   ColouredFacets coloured;
-  coloured.scale = {what + " [" + unit + "]", 0.0, brightest > 0.0 ? brightest : 1.0, false, {}, true};
-  if (showing.in_decibels) {
-    const std::string reference =
-        brightest > 0.0 ? " [dB re " + number_label(brightest, 3) + " " + unit + "]" : ": none";
+  if (!(brightest > 0.0)) {
+    coloured.scale = {"no return", 0.0, 0.0, false, {}, true};
+  } else if (showing.in_decibels) {
+    const std::string reference = " [dB re " + number_label(brightest, 3) + " " + unit + "]";
     coloured.scale = {what + reference, showing.darkest, 0.0, true, {}, true};
-    for (double& value : values) value = 10.0 * std::log10(brightest > 0.0 ? value / brightest : 0.0);
+    for (double& value : values) value = 10.0 * std::log10(value / brightest);
+  } else {
+    coloured.scale = {what + " [" + unit + "]", 0.0, brightest, false, {}, true};
   }
   coloured.colours = along_scale(values, result, coloured.scale);
   return coloured;
@@ -46,7 +48,7 @@ ColouredFacets by_incidence(const FacetMesh& mesh, const FacetResult& result) {
   std::vector<double> angles;
   for (const Vec3& n : mesh.normals) angles.push_back(std::acos(std::min(1.0, std::abs(n.dot(di)))) / degree);
   ColouredFacets coloured;
-  coloured.scale = {"angle of incidence [deg]", 0.0, 90.0, false, {}, true};
+  coloured.scale = {"angle of incidence [deg]", 0.0, 90.0, false, {}, true, true};
   coloured.colours = along_scale(angles, result, coloured.scale);
   return coloured;
 }
@@ -92,6 +94,13 @@ ColouredFacets coloured_facets(const FacetMesh& mesh, const FacetResult& result,
     default:
       return by_contribution(mesh, result, showing);
   }
+}
+
+Rgb drawn_colour(const Colour& colour, bool is_named, double cos_view) {
+  constexpr double edge_on = 0.75;  // brightness; 1 face on
+  const bool is_shaded = is_named || rgb_of(colour) == rgb_of(unseen_grey);
+  const double light = is_shaded ? std::lerp(edge_on, 1.0, std::abs(cos_view)) : 1.0;
+  return rgb_of({light * colour.red, light * colour.green, light * colour.blue});
 }
 
 }  // namespace lrcs

@@ -20,13 +20,15 @@ struct FacetShowing {
   double darkest = -40.0;   // contribution in decibels below the brightest: this and less look the same
 };
 
-// What colours mean. quantity with a scale: viridis from low to high; else names, each with its colour.
+// What colours mean. quantity with a scale: viridis from low to high, nothing where these are equal; else names, each
+// with its colour.
 struct ColourScale {
   std::string title;  // with its unit, and what 0 dB stands for
   double low = 0.0, high = 1.0;
   bool is_open_below = false;  // low stands for less, too
   std::vector<std::pair<std::string, Colour>> names;
   bool has_unseen = true;  // facets not lit and seen are unseen_grey
+  bool is_angle = false;   // in degrees
 };
 
 struct ColouredFacets {
@@ -39,5 +41,10 @@ struct ColouredFacets {
 //   and part: the first of them seven colours by their area, the rest one grey, seen or not.
 [[nodiscard]] ColouredFacets coloured_facets(const FacetMesh& mesh, const FacetResult& result,
                                              const FacetShowing& showing);
+
+// A facet's colour in a picture. Colours of a scale stay as they are, to be found on it; where they are names, and on
+// facets that are unseen_grey, they are darker the less a facet faces the viewer, for the shape to be read.
+// cos_view: of the angle between normal and viewer.
+[[nodiscard]] Rgb drawn_colour(const Colour& colour, bool is_named, double cos_view);
 
 }  // namespace lrcs

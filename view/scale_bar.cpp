@@ -11,21 +11,23 @@ void draw_names(Canvas& canvas, const Box& bar, double room, const ColourScale& 
   const double side = 1.2 * font.size, left = bar.low.x - 1.8 * font.size;
   double top = bar.high.y;
   canvas.text({left, top}, scale.title, {.font = {font.size, true}, .y = AlignY::top});
-  for (const auto& [name, colour] : scale.names) {
+  std::vector<std::string> names;
+  for (const auto& [name, colour] : scale.names) names.push_back(name.empty() ? "(no name)" : name);
+  const ShortenedTexts shown = shortened_apart(names, font, room - 1.6 * font.size);
+  for (std::size_t k = 0; k < names.size(); ++k) {
     top -= 1.8 * font.size;
     const Box patch{{left, top - side}, {left + side, top}};
-    canvas.fill(patch, colour);
+    canvas.fill(patch, scale.names[k].second);
     canvas.frame(patch, {ink, 1.0});
-    const std::string text = name.empty() ? "(no name)" : name;
-    canvas.text({patch.high.x + 0.4 * font.size, top - 0.5 * side}, shortened(text, font, room - 1.6 * font.size),
-                {.font = font, .y = AlignY::middle});
+    canvas.text({patch.high.x + 0.4 * font.size, top - 0.5 * side}, shown.texts[k],
+                {.font = shown.font, .y = AlignY::middle});
   }
 }
 
 // Both limits, whatever they are, and round values between that stand clear of them.
 void draw_marks(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
   const double span = scale.high - scale.low, height = bar.high.y - bar.low.y;
-  const double step = span > 45.0 ? angle_step(span, 6) : nice_step(span, 6);
+  const double step = scale.is_angle ? angle_step(span, 6) : nice_step(span, 6);
   const double tick = 0.35 * font.size, clear = 1.3 * font.size * span / height;
   const double right = bar.low.x - 1.8 * font.size + room;
   const auto draw_mark = [&](double mark, const std::string& label) {
@@ -33,17 +35,19 @@ void draw_marks(Canvas& canvas, const Box& bar, double room, const ColourScale& 
     canvas.line({{bar.high.x, y}, {bar.high.x + tick, y}}, {ink, 0.08 * font.size});
     canvas.text({x, y}, label, {.font = fitting(label, font, right - x), .y = AlignY::middle});
   };
-  constexpr double least = 1e-4;  // written out
-  const auto label = [&](double mark) { return step < least ? number_label(mark, 3) : tick_label(mark, step); };
-  for (const double mark : multiples(scale.low + clear, scale.high - clear, step)) draw_mark(mark, label(mark));
-  draw_mark(scale.high, number_label(scale.high, 3));
-  draw_mark(scale.low, (scale.is_open_below ? "≤ " : "") + number_label(scale.low, 3));
+  constexpr int digits = 4;
+  for (const double mark : multiples(scale.low + clear, scale.high - clear, step))
+    draw_mark(mark, number_label(mark, digits));
+  draw_mark(scale.high, number_label(scale.high, digits));
+  draw_mark(scale.low, (scale.is_open_below ? "≤ " : "") + number_label(scale.low, digits));
 }
 
 }  // namespace
 
 void draw_scale(Canvas& canvas, const Box& bar, double room, const ColourScale& scale, const Font& font) {
-  if (scale.names.empty()) {
+  if (scale.names.empty() && scale.low == scale.high) {
+    canvas.text({bar.low.x, bar.low.y}, scale.title, {.font = font});
+  } else if (scale.names.empty()) {
     draw_viridis(canvas, bar);
     canvas.frame(bar, {ink, 0.08 * font.size});
     draw_marks(canvas, bar, room, scale, font);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/facet_colours.h"
 #include "view/offscreen.h"
 
 namespace lrcs {
@@ -41,14 +42,10 @@ vtkSmartPointer<vtkPolyData> triangles_in_view(const FacetMesh& mesh, const Para
 
 vtkSmartPointer<vtkUnsignedCharArray> shaded(const FacetMesh& mesh, const std::vector<Colour>& colours,
                                              const ParallelView& view) {
-  constexpr double edge_on = 0.78;  // brightness of a facet seen edge on; 1 face on
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetNumberOfComponents(3);
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const double light = std::lerp(edge_on, 1.0, std::abs(mesh.normals[i].dot(view.backward)));
-    const Rgb rgb = rgb_of({light * colours[i].red, light * colours[i].green, light * colours[i].blue});
-    array->InsertNextTypedTuple(rgb.data());
-  }
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    array->InsertNextTypedTuple(drawn_colour(colours[i], false, mesh.normals[i].dot(view.backward)).data());
   return array;
 }
 

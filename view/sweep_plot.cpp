@@ -27,10 +27,15 @@ double as_given(double angle_deg, double largest_given, double first_deg) {
 }
 
 // width: of the plot [pixel].
-Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, const std::string& title, double width) {
+Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, const PlotText& text, double width) {
   constexpr double room_about_one_angle = 5.0;  // [deg]
   constexpr double most_marks = 12.0, room_a_mark = 130.0;
-  Axis axis{title, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}, false};
+  Axis axis{text.angle_axis,
+            std::numeric_limits<double>::infinity(),
+            -std::numeric_limits<double>::infinity(),
+            {},
+            {},
+            false};
   for (const auto& cut : drawing.cuts) {
     for (const CutPoint& point : cut) {
       axis.low = std::min(axis.low, point.angle_deg);
@@ -43,20 +48,26 @@ Axis angle_axis(const std::vector<Curve>& curves, const CutDrawing& drawing, con
     axis.high += room_about_one_angle;
   }
   const double marks = std::clamp(width / room_a_mark, 2.0, most_marks);
-  const double step = angle_step(axis.high - axis.low, static_cast<int>(marks));
+  const double span = axis.high - axis.low;
+  const bool is_angle = text.angle != CutAngle::other;  // else a number of rows
+  const double step =
+      is_angle ? angle_step(span, static_cast<int>(marks)) : std::max(1.0, nice_step(span, static_cast<int>(marks)));
   axis.marks = multiples(axis.low, axis.high, step);
   for (const double mark : axis.marks) {
-    axis.labels.push_back(tick_label(as_given(mark, largest_angle(curves), axis.low), step));
+    axis.labels.push_back(tick_label(is_angle ? as_given(mark, largest_angle(curves), axis.low) : mark, step));
   }
   return axis;
 }
 
-// height: of the plot [pixel].
+// height: of the plot [pixel]. Where it has no room for a mark a step, steps are larger, and the range whole ones.
 Axis decibel_axis(const DecibelRange& range, double height) {
   constexpr double room_a_mark = 90.0;
   const int most_marks = std::max(1, static_cast<int>(height / room_a_mark));
   const double step = std::max(range.step, nice_step(range.high - range.low, most_marks));
-  Axis axis{"LRCS [dBsm]", range.low, range.high, multiples(range.low, range.high, step), {}, false};
+  const bool is_wider = step > range.step;
+  const double low = is_wider && !range.floor_used ? step * std::floor(range.low / step) : range.low;
+  const double high = is_wider ? step * std::ceil(range.high / step) : range.high;
+  Axis axis{"LRCS [dBsm]", low, high, multiples(low, high, step), {}, false};
   for (const double mark : axis.marks) axis.labels.push_back(tick_label(mark, step));
   return axis;
 }
@@ -78,7 +89,7 @@ double least_span(const std::vector<Curve>& curves) {
 CartesianFrame draw_sweep_plot(Canvas& canvas, const std::vector<Curve>& curves, const PlotText& text) {
   const CutDrawing drawing = cut_drawing(curves, text, least_span(curves), 0.7 * canvas.height());
   const double top = draw_header(canvas, drawing.header);
-  CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text.angle_axis, canvas.width()),
+  CartesianFrame frame = draw_cartesian_frame(canvas, top, angle_axis(curves, drawing, text, canvas.width()),
                                               decibel_axis(drawing.range, canvas.height()));
   const auto map = [&](const CutPoint& point) { return frame.at(point.angle_deg, point.dbsm); };
   draw_bands(canvas, drawing, map, true);

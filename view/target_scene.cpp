@@ -26,6 +26,7 @@
 #include <cmath>
 
 #include "view/arrow_names.h"
+#include "view/facet_colours.h"
 #include "view/offscreen.h"
 #include "view/parallel_view.h"
 
@@ -35,7 +36,8 @@ namespace {
 constexpr double sharp = 30.0;  // where facets turn by more, a line is drawn [deg]
 // Of arrows: from the target, and their own; and room beyond them, for their names; of the target's radius.
 constexpr double gap = 0.05, arrow_length = 0.24, name_room = 0.09;
-constexpr double tip_radius = 0.11;  // of the arrow's length
+constexpr double tip_radius = 0.11;   // of the arrow's length
+constexpr double beyond_axes = 0.34;  // their names, of their length
 
 vtkSmartPointer<vtkPolyData> shown_triangles(const FacetMesh& mesh, std::optional<std::uint32_t> part = std::nullopt) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -74,7 +76,9 @@ void set_lines(vtkActor* actor, vtkPolyData* triangles, const Colour& colour, do
 
 struct Arrow {
   vtkNew<vtkActor> body;
+  vtkNew<vtkActor> ghost;  // before all that hides the body
   vtkNew<vtkBillboardTextActor3D> name;
+  vtkNew<vtkProperty> translucent;
   Vec3 tail = Vec3::Zero(), tip = Vec3::Zero();
 
   explicit Arrow(const Colour& colour) {
@@ -87,10 +91,17 @@ struct Arrow {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(source->GetOutputPort());
     body->SetMapper(mapper);
+    body->SetUserMatrix(vtkNew<vtkMatrix4x4>());
     body->PickableOff();
     body->GetProperty()->SetColor(colour.red, colour.green, colour.blue);
     body->GetProperty()->SetAmbient(0.6);
     body->GetProperty()->SetDiffuse(0.4);
+    ghost->SetMapper(mapper);
+    ghost->SetProperty(translucent);
+    ghost->PickableOff();
+    ghost->VisibilityOff();
+    translucent->DeepCopy(body->GetProperty());
+    translucent->SetOpacity(0.3);
     name->PickableOff();
     name->GetTextProperty()->SetColor(colour.red, colour.green, colour.blue);
     name->GetTextProperty()->BoldOn();
@@ -118,12 +129,23 @@ struct Arrow {
     name->SetPosition(at.x(), at.y(), at.z());
     name->SetInput(text);
   }
+  // In a parallel projection all stays where it is as it comes nearer.
+  void bring_forward(const Vec3& of_body, const Vec3& of_name) const {
+    const Vec3 at = tip + of_name;
+    name->SetPosition(at.x(), at.y(), at.z());
+    vtkNew<vtkMatrix4x4> place;
+    place->DeepCopy(body->GetUserMatrix());
+    for (int k = 0; k < 3; ++k) place->SetElement(k, 3, place->GetElement(k, 3) + of_body[k]);
+    ghost->SetUserMatrix(place);
+  }
   void add_to(vtkRenderer* renderer) const {
     renderer->AddActor(body);
+    renderer->AddActor(ghost);
     renderer->AddActor(name);
   }
   void show(bool is_shown) const {
     body->SetVisibility(is_shown);
+    ghost->SetVisibility(is_shown);
     name->SetVisibility(is_shown);
   }
 };
@@ -144,10 +166,7 @@ struct TargetScene::Hidden {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(triangles);
     facets->SetMapper(mapper);
-    facets->GetProperty()->SetInterpolationToFlat();
-    // Facets turned away from the viewer are a little darker, so that the shape can be read.
-    facets->GetProperty()->SetAmbient(0.75);
-    facets->GetProperty()->SetDiffuse(0.25);
+    facets->GetProperty()->LightingOff();
     set_lines(creases, triangles, ink, 1.0);
     creases->PickableOff();
     part->PickableOff();
@@ -162,6 +181,7 @@ struct TargetScene::Hidden {
     set_axes();
     follow->SetClientData(this);
     follow->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Hidden*>(self)->shade();
       static_cast<Hidden*>(self)->turn_axes();
       static_cast<Hidden*>(self)->place_names();
     });
@@ -171,12 +191,23 @@ struct TargetScene::Hidden {
   void set_axes() {
     const std::array<const char*, 3> names{"x", "y", "z"};
     for (std::size_t k = 0; k < 3; ++k) {
-      axis_arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, 0.34, names[k]);
+      axis_arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, beyond_axes, names[k]);
       axis_arrows[k].add_to(axes);
     }
     axes->SetLayer(2);
     axes->InteractiveOff();
     axes->GetActiveCamera()->ParallelProjectionOn();
+  }
+
+  // Colours as they are drawn from where the target is seen now.
+  void shade() {
+    const Vec3 away(renderer->GetActiveCamera()->GetDirectionOfProjection());
+    if (away == shaded_from) return;
+    shaded_from = away;
+    for (std::size_t k = 0; k < colours.size(); ++k)
+      rgb->SetTypedTuple(static_cast<vtkIdType>(k),
+                         drawn_colour(colours[k], colours_are_names, mesh.normals[k].dot(away)).data());
+    rgb->Modified();
   }
 
   // The axes are seen from where the target is.
@@ -209,6 +240,12 @@ struct TargetScene::Hidden {
         if (other != k && std::hypot(at[k].x - at[other].x, at[k].y - at[other].y) < letters)
           aside[k] = at[k].x < at[other].x || (at[k].x == at[other].x && k < other) ? -letters / 2 : letters / 2;
     for (std::size_t k = 0; k < 3; ++k) axis_arrows[k].name->SetDisplayOffset(aside[k], 0);
+    // Before the arrows, which reach 1 toward the viewer.
+    const Vec3 forward = 2.0 * right.cross(up).normalized();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 name = (1.0 + beyond_axes) * Vec3::Unit(static_cast<Eigen::Index>(k)) + forward;
+      axis_arrows[k].name->SetPosition(name.x(), name.y(), name.z());
+    }
   }
 
   void place_names() {
@@ -231,12 +268,15 @@ struct TargetScene::Hidden {
     const Arrow& first = is_shown(sensor) ? sensor : transmitter;
     const Arrow& second = is_shown(transmitter) ? transmitter : sensor;
     const std::array<NamedArrow, 2> arrows{named(first), named(second)};
-    const auto places = places_of_names(arrows, {{0.0, 0.0}, {2.0 * middle.x, 2.0 * middle.y}});
-    // Before all of the target: in a parallel projection a name stays where it is as it comes nearer.
+    const double side = axes_share * 2.0 * middle.x;
+    const auto places =
+        places_of_names(arrows, {{0.0, 0.0}, {2.0 * middle.x, 2.0 * middle.y}}, {{0.0, 0.0}, {side, side}});
+    // Before all of the target, and names before arrows.
     const Vec3 away(camera->GetDirectionOfProjection());
     const auto put = [&](const Arrow& arrow, const Point& tip, const Point& place) {
-      const Vec3 at = arrow.tip - std::max(0.0, radius + away.dot(arrow.tip - centre)) * away;
-      arrow.name->SetPosition(at.x(), at.y(), at.z());
+      const double behind = std::max(away.dot(arrow.tip - centre), away.dot(arrow.tail - centre));
+      const double forward = std::max(0.0, radius + behind);
+      arrow.bring_forward(-forward * away, -(forward + arrow_length * radius) * away);
       arrow.name->SetDisplayOffset(static_cast<int>(std::lround(place.x - tip.x)),
                                    static_cast<int>(std::lround(place.y - tip.y)));
     };
@@ -256,6 +296,9 @@ struct TargetScene::Hidden {
   Vec3 centre;
   double radius;
   double width_over_height = 1.0;
+  std::vector<Colour> colours;
+  bool colours_are_names = false;
+  Vec3 shaded_from = Vec3::Zero();  // zero: not yet
   vtkSmartPointer<vtkPolyData> triangles;
   vtkNew<vtkUnsignedCharArray> rgb;
   vtkNew<vtkActor> facets, creases, part;
@@ -268,12 +311,10 @@ struct TargetScene::Hidden {
 TargetScene::TargetScene(const FacetMesh& mesh) : hidden_(std::make_unique<Hidden>(mesh)) {}
 TargetScene::~TargetScene() = default;
 
-void TargetScene::colour(const std::vector<Colour>& colours) {
-  for (std::size_t k = 0; k < colours.size(); ++k) {
-    const Rgb rgb = rgb_of(colours[k]);
-    hidden_->rgb->SetTypedTuple(static_cast<vtkIdType>(k), rgb.data());
-  }
-  hidden_->rgb->Modified();
+void TargetScene::colour(const std::vector<Colour>& colours, bool are_names) {
+  hidden_->colours = colours;
+  hidden_->colours_are_names = are_names;
+  hidden_->shaded_from = Vec3::Zero();
 }
 
 void TargetScene::point_at(const Vec3& to_transmitter, const Vec3& to_receiver) {
@@ -315,9 +356,11 @@ void TargetScene::fit(double width_over_height) {
   vtkCamera* camera = hidden_->renderer->GetActiveCamera();
   const Vec3 d = -Vec3(camera->GetDirectionOfProjection()), above(camera->GetViewUp());
   const Vec3 right = above.cross(d).normalized();
+  // An arrow stands off a point p of the target along d by p.d: of that (p.d)(d.right) is seen across, which is at most
+  // half of p.right + |p|, whatever d is.
   const double with_arrow = (gap + arrow_length + name_room) * hidden_->radius;
-  const double across = std::max(hidden_->reach(right), hidden_->reach(-right)) + with_arrow;
-  const double upward = std::max(hidden_->reach(above), hidden_->reach(-above)) + with_arrow;
+  const double across = 0.5 * (std::max(hidden_->reach(right), hidden_->reach(-right)) + hidden_->radius) + with_arrow;
+  const double upward = 0.5 * (std::max(hidden_->reach(above), hidden_->reach(-above)) + hidden_->radius) + with_arrow;
   constexpr double of_names = 0.93;  // half of a name lies beyond its middle
   camera->SetParallelScale(std::max(upward, across / width_over_height) / of_names);
   camera->SetClippingRange(hidden_->radius, 20.0 * hidden_->radius);

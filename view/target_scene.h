@@ -20,8 +20,8 @@ class TargetScene {
   explicit TargetScene(const FacetMesh& mesh);
   ~TargetScene();
 
-  // colours: one a facet.
-  void colour(const std::vector<Colour>& colours);
+  // colours: one a facet, drawn as drawn_colour() says.
+  void colour(const std::vector<Colour>& colours, bool are_names = false);
   // Unit vectors; equal: one arrow, to the sensor.
   void point_at(const Vec3& to_transmitter, const Vec3& to_receiver);
   // Is the arrow to the receiver drawn? Looked at from there it hides the target.
@@ -42,9 +42,8 @@ class TargetScene {
 
   // letters: their height [pixel].
   void set_letters(int letters);
-  // For a window of ours: the target; and the axes, to be laid over it.
-  // The axes stand in the lower left corner, in a square: its side, of the window's width.
-  static constexpr double axes_share = 0.26;
+  // For a window of ours: the target; and the axes, to be laid over its lower left corner, in a square.
+  static constexpr double axes_share = 0.26;  // its side, of the target's width
   [[nodiscard]] vtkRenderer* renderer() const;
   [[nodiscard]] vtkRenderer* axes() const;
   // Drawn without a window. error: std::runtime_error, one line, where no 3-D picture can be drawn.

@@ -92,6 +92,23 @@ TEST_F(Plot, SaysWhatItShows) {
   EXPECT_THAT(svg({"grid", "--azimuth", "60"}), HasSubstr(">elevation [deg] at azimuth 60 deg<"));
 }
 
+// Not drawn across directions that nobody computed, and rows are not degrees.
+TEST_F(Plot, DrawsOnlyWhereTheSweepWas) {
+  const std::string angles = "azimuth: {from: 0, to: 40, step: 10}\n  elevation: 0";
+  folder_.write("nose.yaml", scene_with(angles, "azimuth: [330, 345, 0, 15, 30]\n  elevation: 0"));
+  sweep({"nose"});
+  const std::string nose = svg({"nose"});
+  for (const char* mark : {"−30", "0", "30"}) EXPECT_THAT(nose, HasSubstr(">" + std::string(mark) + "<"));
+  EXPECT_THAT(nose, Not(HasSubstr(">180<")));
+  folder_.write("scattered.yaml",
+                scene_with("azimuth: {from: 0, to: 40, step: 10}\n  elevation: 0", "directions: [[1, 2], [50, 30]]"));
+  sweep({"scattered"});
+  const std::string rows = svg({"scattered"});
+  EXPECT_THAT(rows, HasSubstr(">row of sweep.csv<"));
+  EXPECT_THAT(rows, HasSubstr(">1<"));
+  EXPECT_THAT(rows, Not(HasSubstr(">0.5<")));
+}
+
 TEST_F(Plot, ComparesSweepsByTheNamesOfTheirFolders) {
   sweep({"scene", "grid"});
   const std::string both = svg({"scene", "./grid/", "--elevation", "0"});

@@ -51,6 +51,15 @@ TEST(NamesOfArrows, StandWhereTheArrowPoints) {
   EXPECT_EQ(names[1].y, 35.0);
 }
 
+TEST(NamesOfArrows, KeepOffWhatIsTaken) {
+  const NamedArrow arrow{{200.0, 200.0}, {150.0, 160.0}, 60.0, 12.0, 8.0};
+  const Box taken{{0.0, 0.0}, {180.0, 155.0}};
+  const auto is_off = [&](const Point& name) { return name.x - 60.0 >= taken.high.x || name.y - 12.0 >= taken.high.y; };
+  const Box frame{{0.0, 0.0}, {800.0, 700.0}};
+  EXPECT_FALSE(is_off(places_of_names({arrow, arrow}, frame)[0]));
+  for (const Point& name : places_of_names({arrow, arrow}, frame, taken)) EXPECT_TRUE(is_off(name)) << name.x;
+}
+
 TEST(NamesOfArrows, StayInsideTheFrame) {
   const NamedArrow arrow{{100.0, 650.0}, {105.0, 690.0}, 60.0, 12.0, 8.0};
   for (const Point& name : places_of_names({arrow, arrow}, {{0.0, 0.0}, {800.0, 700.0}})) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "two_plates.h"
 #include "view/part_returns.h"
 #include "view/shortened_text.h"
@@ -147,6 +149,51 @@ TEST(ShortenedText, KeepsTheEndThatFits) {
   EXPECT_LE(text_size(end, font).width, 150.0);
   EXPECT_TRUE(end.starts_with("…") && name.ends_with(end.substr(std::string("…").size()))) << end;
   EXPECT_GT(text_size(end, font).width, 120.0);
+}
+
+TEST(ShortenedTexts, KeepApartWhatDiffers) {
+  const Font font{20, false};
+  const auto bolt = [](int assembly, int k) {
+    return "as1/bracket-assembly:" + std::to_string(assembly) + "/nut-bolt-assembly:" + std::to_string(k) + "/bolt";
+  };
+  const auto all_differ = [](const std::vector<std::string>& texts) {
+    return std::set<std::string>(texts.begin(), texts.end()).size() == texts.size();
+  };
+  const std::vector<std::vector<std::string>> sets{{bolt(1, 1), bolt(1, 2), bolt(2, 1), bolt(2, 2)},
+                                                   {"panel 1 of the left hand wing", "panel 2 of the left hand wing"},
+                                                   {"rod", "nut"},
+                                                   {"太阳能电池板一一一一一一一一", "太阳能电池板二一一一一一一一"}};
+  for (const auto& texts : sets) {
+    const ShortenedTexts shown = shortened_apart(texts, font, 150.0);
+    EXPECT_TRUE(all_differ(shown.texts)) << texts[0];
+    EXPECT_GE(shown.font.size, 12);
+    for (const std::string& text : shown.texts) EXPECT_LE(text_size(text, shown.font).width, 150.0) << text;
+  }
+  EXPECT_EQ(shortened_apart({"rod", "nut"}, font, 150.0).texts, (std::vector<std::string>{"rod", "nut"}));
+  EXPECT_EQ(shortened_apart(sets[0], font, 150.0).texts[2], "…:2/…:1/bolt");
+  // Nothing keeps these apart.
+  const std::string same(200, 'x');
+  EXPECT_EQ(shortened_apart({same, "a" + same}, font, 150.0).font.size, 20);
+}
+
+TEST(ColouredFacets, HaveTheColoursOfTheirScale) {
+  EXPECT_EQ(drawn_colour(viridis(0.4), false, 0.1), rgb_of(viridis(0.4)));
+  EXPECT_LT(drawn_colour(viridis(0.4), true, 0.1)[1], rgb_of(viridis(0.4))[1]);
+  EXPECT_LT(drawn_colour(unseen_grey, false, -0.1)[0], rgb_of(unseen_grey)[0]);
+  EXPECT_EQ(drawn_colour(unseen_grey, false, -1.0), rgb_of(unseen_grey));
+}
+
+TEST(ColouredFacets, HaveNoScaleWhereNothingReturns) {
+  TwoPlates plates = two_plates();
+  plates.result.sigma_m2.assign(plates.mesh.size(), 0.0);
+  for (const bool in_decibels : {false, true}) {
+    FacetShowing showing;
+    showing.in_decibels = in_decibels;
+    const auto coloured = coloured_facets(plates.mesh, plates.result, showing);
+    EXPECT_EQ(coloured.scale.title, "no return");
+    EXPECT_EQ(coloured.scale.low, coloured.scale.high);
+    EXPECT_EQ(rgb_of(coloured.colours[0]), rgb_of(viridis(0.0)));
+  }
 }
 
 }  // namespace

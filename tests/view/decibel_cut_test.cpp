@@ -48,6 +48,13 @@ TEST(CutPoints, LeaveASweepOpenThatDoesNotComeBack) {
   EXPECT_EQ(angles_of({0, 120, 240, 360}).size(), 4U);
 }
 
+TEST(CutPoints, OfRowsOnlyRise) {
+  Curve rows{"", {}, {}};
+  for (int k = 0; k < 360; ++k) rows.angle_deg.push_back(k), rows.sigma_m2.push_back(1.0);
+  EXPECT_EQ(cut_points(rows).back().angle_deg, 360.0);
+  EXPECT_EQ(cut_points(rows, false).back().angle_deg, 359.0);
+}
+
 TEST(CutPoints, AreInDecibels) {
   const auto cut = cut_points({"", {0, 1, 2}, {100.0, 1.0, 0.0}});
   EXPECT_DOUBLE_EQ(cut[0].dbsm, 20.0);

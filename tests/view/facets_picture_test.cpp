@@ -25,11 +25,11 @@ TEST(FacetsPicture, HasItsSizeAndShowsBrightDimAndUnseenFacets) {
   EXPECT_EQ(pixels.size[0], 800);
   EXPECT_EQ(pixels.size[1], 600);
   const auto colours = coloured_facets(plates.mesh, plates.result, {}).colours;
-  // The brightness of a facet that the viewer sees 30 deg from the side and 25 deg from above.
-  const double light = 0.78 + 0.22 * std::cos(30.0 * degree) * std::cos(25.0 * degree);
+  // Seen 30 deg from the side and 25 deg from above, unseen facets are darker; the others are as their scale.
+  const double facing = std::cos(30.0 * degree) * std::cos(25.0 * degree);
   const auto seen = [&](std::size_t facet) {
-    const Colour& c = colours[facet];
-    return find_colour(pixels, {light * c.red, light * c.green, light * c.blue});
+    const Rgb rgb = facet == 1 ? drawn_colour(unseen_grey, false, facing) : rgb_of(colours[facet]);
+    return find_colour(pixels, {rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0});
   };
   EXPECT_GT(seen(0).count, 5000);
   EXPECT_GT(seen(1).count, 5000);

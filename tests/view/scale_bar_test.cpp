@@ -29,6 +29,19 @@ TEST(ScaleBar, LabelsBothLimitsWhateverTheyAre) {
               UnorderedElementsAre("per facet [m²]", "0", "1e-07", "2e-07", "3e-07", "4e-07", "5.41e-07"));
 }
 
+TEST(ScaleBar, HasRoundMarksHoweverLargeItIs) {
+  EXPECT_THAT(drawn({"", 0.0, 2.25e6, false, {}, false}).texts(),
+              UnorderedElementsAre("0", "5e+05", "1e+06", "1.5e+06", "2e+06", "2.25e+06"));
+  EXPECT_THAT(drawn({"", -200.0, 0.0, true, {}, false}).texts(),
+              UnorderedElementsAre("≤ −200", "−150", "−100", "−50", "0"));
+  ColourScale angle{"", 0.0, 90.0, false, {}, false, true};
+  EXPECT_THAT(drawn(angle).texts(), UnorderedElementsAre("0", "15", "30", "45", "60", "75", "90"));
+}
+
+TEST(ScaleBar, SaysOnlyItsTitleWhereNothingReturns) {
+  EXPECT_THAT(drawn({"no return", 0.0, 0.0, false, {}, true}).texts(), UnorderedElementsAre("no return", "unseen"));
+}
+
 TEST(ScaleBar, LeavesOutMarksThatWouldTouchALimit) {
   EXPECT_THAT(drawn({"", 0.0, 0.95, false, {}, false}, 60).texts(),
               UnorderedElementsAre("0", "0.2", "0.4", "0.6", "0.95"));

@@ -44,6 +44,28 @@ TEST(TargetScene, KeepsNamesOfArrowsApart) {
   }
 }
 
+// A wing seen along its span: arrows stand far off, as its tips do.
+TEST(TargetScene, HasRoomForArrowsWhereverTheyPoint) {
+  FacetMesh wing;
+  wing.positions = {{0.0, -5.0, -0.5}, {0.0, 5.0, -0.5}, {0.0, 5.0, 0.5}, {0.0, -5.0, 0.5}};
+  wing.facets = {{0, 1, 2}, {0, 2, 3}};
+  measure_facets(wing);
+  TargetScene scene(wing);
+  scene.colour(std::vector<Colour>(wing.size(), unseen_grey));
+  const Vec3 receiver = direction_of({239.78, -18.87});
+  scene.point_at(direction_of({136.32, 8.27}), receiver);
+  scene.look_beside(receiver);
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{350, 470}, {250, 700}}) {
+    scene.fit(static_cast<double>(width) / height);
+    const Picture picture = scene.picture(width, height, 14);
+    EXPECT_GT(letters_of(picture, curve_colour(1)), 50) << width;
+    EXPECT_GT(letters_of(picture, ink), 30) << width;
+    for (int row = 0; row < height; ++row)
+      for (const int column : {0, width - 1})
+        ASSERT_EQ(picture.rgb[3 * static_cast<std::size_t>(row * width + column) + 2], 255) << width << " " << row;
+  }
+}
+
 // Of an arrow behind the target, too, as after the window's own fitting of depths.
 TEST(TargetScene, DrawsNamesBeforeTheTarget) {
   const TwoPlates plates = two_plates();
