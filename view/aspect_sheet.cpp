@@ -170,6 +170,7 @@ void AspectSheet::draw_table(Canvas& canvas, const AspectFacts& facts) {
   cells(y, bold, heading, fitting(heading, bold, name_room), "LRCS [m²]", "[dBsm]", "[%]");
   canvas.line({{box.low.x, y - 0.5 * row}, {box.high.x, y - 0.5 * row}}, {ink, 1.5 * unit_});
   std::vector<std::string> shown_names;
+  shown_names.reserve(strongest.size());
   for (const std::uint32_t part : strongest) shown_names.push_back(names[part].empty() ? "(no name)" : names[part]);
   const ShortenedTexts shown = shortened_apart(shown_names, plain, name_room);
   for (std::size_t k = 0; k < strongest.size(); ++k) {

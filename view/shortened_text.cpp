@@ -11,7 +11,7 @@ namespace {
 enum class Kept { end, beginning };
 
 std::string cut_to(const std::string& text, const Font& font, double room, Kept kept) {
-  const std::string shown = readable(text);
+  std::string shown = readable(text);
   if (text_size(shown, font).width <= room) return shown;
   // Without at least so many bytes.
   const auto without = [&](std::size_t bytes) {
@@ -68,6 +68,7 @@ ShortenedTexts shortened_apart(const std::vector<std::string>& texts, const Font
   };
   const auto cut = [&](const Font& smaller, Way way) {
     std::vector<std::string> shown;
+    shown.reserve(texts.size());
     for (const std::string& text : texts) shown.push_back(way(text, smaller, room));
     return shown;
   };
