@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace lrcs {
@@ -31,17 +32,11 @@ std::vector<ViewedCut> cuts_along(const std::vector<SweepRow>& rows, double Aspe
   return cuts;
 }
 
-// Azimuths that reach across 0 deg, from 340 to 20, run from -20 to 20: a curve is not drawn across what nobody
-// computed.
 void join_across_nose(ViewedCut& cut) {
-  constexpr double half_turn = 180.0, turn = 360.0;  // [deg]
   std::vector<double>& angles = cut.curve.angle_deg;
-  if (angles.empty() || angles.back() - angles.front() >= turn) return;
-  const auto wide =
-      std::adjacent_find(angles.begin(), angles.end(), [&](double a, double b) { return b - a > half_turn; });
-  if (wide == angles.end()) return;
-  const auto first = wide + 1 - angles.begin();
-  std::for_each(wide + 1, angles.end(), [&](double& angle) { angle -= turn; });
+  const auto split = std::lower_bound(angles.begin(), angles.end(), azimuth_before_nose(angles));
+  const auto first = split - angles.begin();
+  std::for_each(split, angles.end(), [](double& angle) { angle -= 360.0; });
   const auto begin_with = [&](auto& values) { std::rotate(values.begin(), values.begin() + first, values.end()); };
   begin_with(angles), begin_with(cut.curve.sigma_m2), begin_with(cut.curve.bound_m2), begin_with(cut.rows);
 }
@@ -70,6 +65,14 @@ std::vector<Curve> Cuts::curves(std::size_t most, std::size_t* left_out) const {
   for (std::size_t k = 0; k < std::min(most, cuts.size()); ++k) curves.push_back(cuts[k].curve);
   if (left_out != nullptr) *left_out = cuts.size() - curves.size();
   return curves;
+}
+
+double azimuth_before_nose(const std::vector<double>& rising) {
+  constexpr double half_turn = 180.0, turn = 360.0;  // [deg]
+  const auto gap =
+      std::adjacent_find(rising.begin(), rising.end(), [&](double a, double b) { return b - a > half_turn; });
+  const bool is_joined = gap != rising.end() && rising.back() - rising.front() < turn;
+  return is_joined ? *(gap + 1) : std::numeric_limits<double>::infinity();
 }
 
 Cuts azimuth_cuts(const std::vector<SweepRow>& rows) {

@@ -19,12 +19,17 @@ struct Cuts {
 };
 [[nodiscard]] Cuts cuts_of(const std::vector<SweepRow>& rows);
 
-// The same with every row on a cut: against the row's number where directions repeat.
+// The same with every row on a cut: against the row's number where directions repeat, or most have a cut of their own.
 [[nodiscard]] Cuts cuts_of_all(const std::vector<SweepRow>& rows);
 
 // All cuts against azimuth, one an elevation; against elevation, one an azimuth. Some may have one direction only.
+// Azimuths that reach across the nose rise there: see azimuth_before_nose.
 [[nodiscard]] Cuts azimuth_cuts(const std::vector<SweepRow>& rows);
 [[nodiscard]] Cuts elevation_cuts(const std::vector<SweepRow>& rows);
+
+// Azimuths that reach across the nose, 340, 350, 0, 10, are drawn as -20, -10, 0, 10: nothing is drawn across
+// directions that nobody computed. value: from which azimuth on they are less by a turn [deg]; infinity: none is.
+[[nodiscard]] double azimuth_before_nose(const std::vector<double>& rising);
 
 // More are not told apart in one plot.
 inline constexpr std::size_t most_curves = 7;

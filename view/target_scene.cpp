@@ -176,6 +176,7 @@ struct TargetScene::Hidden {
     renderer->AddActor(creases);
     renderer->AddActor(part);
     sensor.add_to(renderer);
+    sensor.show(true);
     transmitter.add_to(renderer);
     renderer->GetActiveCamera()->ParallelProjectionOn();
     set_axes();

@@ -11,6 +11,7 @@
 namespace lrcs {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -100,6 +101,9 @@ TEST_F(Plot, DrawsOnlyWhereTheSweepWas) {
   const std::string nose = svg({"nose"});
   for (const char* mark : {"−30", "0", "30"}) EXPECT_THAT(nose, HasSubstr(">" + std::string(mark) + "<"));
   EXPECT_THAT(nose, Not(HasSubstr(">180<")));
+  folder_.write("map.yaml", scene_with(angles, "azimuth: [330, 345, 0, 15, 30]\n  elevation: [0, 10]"));
+  sweep({"map"});
+  EXPECT_THAT(svg({"map", "--kind", "map"}), AllOf(HasSubstr(">−30<"), Not(HasSubstr(">180<"))));
   folder_.write("scattered.yaml",
                 scene_with("azimuth: {from: 0, to: 40, step: 10}\n  elevation: 0", "directions: [[1, 2], [50, 30]]"));
   sweep({"scattered"});

@@ -16,7 +16,8 @@ export class DecibelRange {
     this.min = Math.min(5 * Math.floor(bottom / 5), this.max - 10);
     const span = this.max - this.min;
     this.interval = span <= 15 ? 2.5 : span <= 35 ? 5 : 10;
-    this.min = this.max - this.interval * Math.ceil(span / this.interval - 1e-9);
+    this.max = this.interval * Math.ceil(this.max / this.interval - 1e-9);
+    this.min = this.interval * Math.floor(this.min / this.interval + 1e-9);
     this.clipped = sigma.filter((value) => dbsm(value) < this.min).length;
   }
 

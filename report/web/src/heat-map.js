@@ -9,9 +9,13 @@ import { dbText, dbsm, sigmaText } from './sigma.js';
 // The rows as a table [elevation][azimuth], or null where they make none.
 export function rowTable(data) {
   if (data.axis === 'row') return null;
-  const { transmitter_azimuth_deg: azimuth, transmitter_elevation_deg: elevation } = data.rows;
+  const { transmitter_elevation_deg: elevation } = data.rows;
+  // As the cuts have them: from 340 to 20 deg they are -20 to 20.
+  const azimuth = [...data.rows.transmitter_azimuth_deg];
+  if (data.axis === 'azimuth')
+    for (const cut of data.cuts) cut.rows.forEach((row, i) => (azimuth[row] = cut.angle_deg[i]));
   const sorted = (values) => [...new Set(values)].sort((a, b) => a - b);
-  const table = { azimuths: sorted(azimuth), elevations: sorted(elevation) };
+  const table = { azimuths: sorted(azimuth), elevations: sorted(elevation), azimuthOf: azimuth };
   const cells = table.azimuths.length * table.elevations.length;
   if (table.azimuths.length < 2 || table.elevations.length < 2 || azimuth.length < 0.5 * cells) return null;
   const column = new Map(table.azimuths.map((value, i) => [value, i]));
@@ -137,7 +141,7 @@ export class HeatMap {
   mark() {
     const { rows } = this.data;
     const { row } = this.aspect;
-    const i = this.table.azimuths.indexOf(rows.transmitter_azimuth_deg[row]);
+    const i = this.table.azimuths.indexOf(this.table.azimuthOf[row]);
     const j = this.table.elevations.indexOf(rows.transmitter_elevation_deg[row]);
     const [x0, y0] = this.chart.convertToPixel({ gridIndex: 0 }, [this.across[i], this.up[j + 1]]);
     const [x1, y1] = this.chart.convertToPixel({ gridIndex: 0 }, [this.across[i + 1], this.up[j]]);
