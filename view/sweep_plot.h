@@ -34,8 +34,9 @@ struct PlotText {
 // value: what lies below the floor is not drawn: the line stops there (in a polar plot at the centre) and breaks beside
 //   sigma = 0. The plot says so, with the floor in dBsm; in a Cartesian plot ticks on the floor mark those directions.
 //   Up to 60 directions also get a dot each. A curve that comes back to its start within its own spacing is drawn
-//   closed. Angles that jump from 360 to 0 run on. From sigma - bound to sigma + bound lies a light band in the curve's
-//   colour, if it is wide enough to be seen; the curves are thin lines then, and the plot says what the band is.
+//   closed, and angles that jump from 360 to 0 run on, but where CutAngle is other. From sigma - bound to sigma + bound
+//   lies a light band in the curve's colour, if it is wide enough to be seen; the curves are thin lines then, and the
+//   plot says what the band is.
 // laws: the same curves give the same bytes.
 // domain: at least one curve, the floor below the highest point, else std::invalid_argument; up to a dozen stay
 //   readable. A legend names two or more.

@@ -110,8 +110,8 @@ struct Arrow {
     name->GetTextProperty()->SetJustificationToCentered();
     name->GetTextProperty()->SetVerticalJustificationToCentered();
   }
-  // name_beyond: from the tip to the name.
-  void set(const Vec3& from, const Vec3& direction, double length, double name_beyond, const char* text) {
+  // The name comes near its place, for VTK not to take it for out of sight; the view puts it there.
+  void set(const Vec3& from, const Vec3& direction, double length, const char* text) {
     const Vec3 d = direction.normalized();
     tail = from;
     tip = from + length * d;
@@ -125,8 +125,7 @@ struct Arrow {
       place->SetElement(k, 3, from[k]);
     }
     body->SetUserMatrix(place);
-    const Vec3 at = tip + name_beyond * d;
-    name->SetPosition(at.x(), at.y(), at.z());
+    name->SetPosition(tip.x(), tip.y(), tip.z());
     name->SetInput(text);
   }
   // In a parallel projection all stays where it is as it comes nearer.
@@ -192,7 +191,7 @@ struct TargetScene::Hidden {
   void set_axes() {
     const std::array<const char*, 3> names{"x", "y", "z"};
     for (std::size_t k = 0; k < 3; ++k) {
-      axis_arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, beyond_axes, names[k]);
+      axis_arrows[k].set(Vec3::Zero(), Vec3::Unit(static_cast<Eigen::Index>(k)), 1.0, names[k]);
       axis_arrows[k].add_to(axes);
     }
     axes->SetLayer(2);
@@ -230,23 +229,20 @@ struct TargetScene::Hidden {
   void part_names_of_axes(const Vec3& right, const Vec3& up) {
     const int letters = axis_arrows[0].name->GetTextProperty()->GetFontSize();
     const double pixels_a_unit = 0.5 * axes->GetSize()[1] / axes->GetActiveCamera()->GetParallelScale();
+    // Before the arrows, which reach 1 toward the viewer.
+    const Vec3 forward = 2.0 * right.cross(up).normalized();
     std::array<Point, 3> at;
     std::array<int, 3> aside{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 name = pixels_a_unit * Vec3(axis_arrows[k].name->GetPosition());
-      at[k] = {name.dot(right), name.dot(up)};
+      const Vec3 name = (1.0 + beyond_axes) * Vec3::Unit(static_cast<Eigen::Index>(k)) + forward;
+      axis_arrows[k].name->SetPosition(name.x(), name.y(), name.z());
+      at[k] = {pixels_a_unit * name.dot(right), pixels_a_unit * name.dot(up)};
     }
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t other = 0; other < 3; ++other)
         if (other != k && std::hypot(at[k].x - at[other].x, at[k].y - at[other].y) < letters)
           aside[k] = at[k].x < at[other].x || (at[k].x == at[other].x && k < other) ? -letters / 2 : letters / 2;
     for (std::size_t k = 0; k < 3; ++k) axis_arrows[k].name->SetDisplayOffset(aside[k], 0);
-    // Before the arrows, which reach 1 toward the viewer.
-    const Vec3 forward = 2.0 * right.cross(up).normalized();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 name = (1.0 + beyond_axes) * Vec3::Unit(static_cast<Eigen::Index>(k)) + forward;
-      axis_arrows[k].name->SetPosition(name.x(), name.y(), name.z());
-    }
   }
 
   void place_names() {
@@ -323,8 +319,7 @@ void TargetScene::point_at(const Vec3& to_transmitter, const Vec3& to_receiver) 
   const bool is_monostatic = (to_transmitter - to_receiver).norm() < same;
   const double r = hidden_->radius;
   const auto set = [&](Arrow& arrow, const Vec3& direction, const char* name) {
-    arrow.set(hidden_->centre + (hidden_->reach(direction) + gap * r) * direction, direction, arrow_length * r, 0.0,
-              name);
+    arrow.set(hidden_->centre + (hidden_->reach(direction) + gap * r) * direction, direction, arrow_length * r, name);
   };
   set(hidden_->sensor, to_receiver, is_monostatic ? "sensor" : "receiver");
   set(hidden_->transmitter, to_transmitter, "transmitter");

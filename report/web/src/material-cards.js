@@ -35,7 +35,13 @@ export function drawMaterials(host, data) {
       el(
         'article',
         {},
-        el('h3', {}, swatch, nameOf(material), el('small', {}, ` ${countText(material.facets)} ${material.facets === 1 ? 'facet' : 'facets'}`)),
+        el(
+          'h3',
+          {},
+          swatch,
+          nameOf(material),
+          el('small', {}, ` ${countText(material.facets)} ${material.facets === 1 ? 'facet' : 'facets'}`),
+        ),
         material.f_r_per_sr.length > 0 ? [el('div', { class: 'chart-frame' }, plot), legend(material)] : null,
         el('pre', { tabindex: 0, 'aria-label': 'definition' }, material.definition),
       ),
